@@ -1,0 +1,42 @@
+// The memory a frame is drawn into: colour and depth/stencil planes owned by a drawable or a
+// framebuffer object.
+//
+// Rows run from y = 0 at the bottom, as OpenGL ES counts window coordinates (2.10.1); a platform
+// that shows rows top-down flips when it presents.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace clearpipe::pipeline {
+
+// The pixels as they are kept. Colour is always held as RGBA8; a config with fewer bits is held in
+// the same memory, with every write rounded to what its bits can say.
+struct ColourBuffer {
+  int width = 0, height = 0;
+  std::unique_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
+  uint32_t stored_bits_or = 0;         // 0xff000000 when the buffer has no alpha: reads as 1
+};
+
+// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8.
+struct DepthStencilBuffer {
+  int width = 0, height = 0;
+  bool has_depth = true, has_stencil = true;
+  std::unique_ptr<uint32_t[]> values;
+};
+
+// Allocate with zeroed contents; null when memory does not suffice.
+std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha);
+std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height,
+                                                              bool has_depth, bool has_stencil);
+
+// What a frame renders to. `colour` or `depth_stencil` may be null.
+struct Target {
+  std::shared_ptr<ColourBuffer> colour;
+  std::shared_ptr<DepthStencilBuffer> depth_stencil;
+  int width = 0, height = 0;
+};
+
+}  // namespace clearpipe::pipeline
