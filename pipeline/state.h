@@ -54,8 +54,6 @@ struct Material {
   float shininess = 0;
 };
 
-enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
-
 struct VertexState {
   Mat4 model_view_projection;   // projection * modelview, composed in float
   Mat4 model_view;
@@ -69,8 +67,7 @@ struct VertexState {
   Vec4 scene_ambient;            // light model ambient
   Material material;
   std::array<Light, kMaxLights> lights;
-  FogMode fog = FogMode::kNone;  // fog factor is computed per vertex from |eye z|, then interpolated
-  float fog_density = 1, fog_start = 0, fog_end = 1;
+  bool fog = false;              // the fog coordinate |eye z| is needed per fragment (3.8)
   uint8_t texture_units = 0;     // bit u: unit u samples a texture, so its coordinates are needed
   uint8_t texture_matrix = 0;    // bit u: texture matrix of unit u is not the identity
   std::array<Mat4, kMaxTextureUnits> texture_matrices;
@@ -191,9 +188,12 @@ enum class LogicOp : uint8_t {
   kOrReverse, kCopyInverted, kOrInverted, kNand, kSet
 };
 
+enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
+
 struct FragmentState {
   std::array<TextureUnit, kMaxTextureUnits> unit;
-  bool fog = false;
+  FogMode fog = FogMode::kNone;
+  float fog_density = 1, fog_start = 0, fog_end = 1;
   Vec4 fog_colour;
   bool alpha_test = false;
   CompareFunc alpha_func = CompareFunc::kAlways;

@@ -1,0 +1,40 @@
+// The batch of fragments that the chain's stages work on, one after another, in structure-of-arrays
+// form: small enough to stay in the first-level cache, with every array a whole number of vectors.
+//
+// Colours are signed 16-bit fixed point with 13 fraction bits (kColourOne is 1.0), so intermediate
+// results of combiners keep a range of [-4, 4). The conversion from and to 8 bits is exact.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/state.h"
+
+namespace clearpipe::pipeline {
+
+inline constexpr int kBatchSize = 128;
+inline constexpr int16_t kColourOne = 1 << 13;
+
+struct FragmentBatch {
+  int count = 0;  // fragments in use; the rest of the last vector holds harmless copies
+
+  alignas(64) float x[kBatchSize];  // pixel centre minus PrimitivePlanes::x_ref
+  alignas(64) float y[kBatchSize];
+  alignas(64) float w[kBatchSize];  // w_clip: 1 / interpolated 1/w; 1 without perspective
+  // Texture coordinates s, t of the unit being sampled, already divided by q and w, and the same at
+  // the three corners of the fragment's 2x2 quad that give the level of detail (3.7.7).
+  alignas(64) float s[kBatchSize], t[kBatchSize];
+  alignas(64) float lod[kBatchSize];  // log2 of the scale factor rho, before bias and clamping
+
+  alignas(64) int16_t live[kBatchSize];          // -1: the fragment lives; 0: discarded
+  alignas(64) uint16_t offset[kBatchSize];       // index into the tile's planes
+  alignas(64) uint32_t depth[kBatchSize];        // 24-bit depth of the fragment
+  alignas(64) uint32_t stored_depth_stencil[kBatchSize];  // gathered from the tile
+  alignas(64) uint32_t stored_colour[kBatchSize];
+
+  alignas(64) int16_t primary[4][kBatchSize];
+  alignas(64) int16_t previous[4][kBatchSize];   // result of the last texture unit; then the colour
+  alignas(64) int16_t texture[kMaxTextureUnits][4][kBatchSize];
+};
+
+}  // namespace clearpipe::pipeline

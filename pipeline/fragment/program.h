@@ -1,0 +1,54 @@
+// How covered pixels become colours: the program a fragment state selects, the planes of the
+// primitive it runs on, and the call that runs it over the coverage of a tile.
+//
+// A program is chosen once per state change (fragment/select.cpp): a chain of stages that runs any
+// state, or a fused loop compiled for a state that fused.def lists. Both give the same bits.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/raster/tile.h"
+#include "pipeline/state.h"
+
+namespace clearpipe::pipeline {
+
+// A linear function of window position (3.5.1): value + dx * (x - x_ref) + dy * (y - y_ref), where
+// (x_ref, y_ref) belongs to the primitive. Evaluated exactly in this order, so that the result
+// depends on the pixel alone: (value + dy * (y - y_ref)) + dx * (x - x_ref).
+struct Plane {
+  float value = 0, dx = 0, dy = 0;
+};
+
+// The planes of one primitive. Varyings other than depth are divided by w_clip when `perspective`.
+struct PrimitivePlanes {
+  float x_ref = 0, y_ref = 0;  // window coordinates; pixel (i, j) has its centre at i+0.5, j+0.5
+  bool perspective = false;    // false: 1/w is the same at all vertices, inv_w is not evaluated
+  bool flat_colour = false;    // the colour planes are constant: dx = dy = 0 and not divided by w
+  Plane depth;                 // window z, [0,1], polygon offset added (clamped per fragment)
+  Plane inv_w;
+  Plane fog;                   // fog coordinate
+  Plane colour[4];             // r, g, b, a
+  Plane texture[kMaxTextureUnits][4];  // s, t, r, q; set for enabled units
+};
+
+struct FragmentProgram;  // opaque outside fragment/
+
+// Select and build the program of a state. The result is owned by the caller's arena through
+// destroy_fragment_program.
+FragmentProgram* make_fragment_program(const FragmentState& state, bool has_depth,
+                                       bool has_stencil);
+void destroy_fragment_program(FragmentProgram* program);
+
+// Which varyings the program reads, so that setup computes no other plane.
+struct FragmentInputs {
+  bool depth = false, colour = false, fog = false;
+  uint8_t texture_units = 0;  // bit u
+};
+FragmentInputs fragment_inputs(const FragmentProgram& program);
+
+// Shades the pixels in `coverage`; colour and depth/stencil of `tile` are updated in place.
+void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
+           Tile& tile);
+
+}  // namespace clearpipe::pipeline

@@ -1,0 +1,32 @@
+// Texture sampling (3.7.7 to 3.7.9) over a batch: s, t and lod in, filtered colours out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/state.h"
+
+namespace clearpipe::pipeline {
+
+// What sampling needs, worked out once per program from the unit's image and sampler.
+struct SampleLevel {
+  const uint32_t* texels = nullptr;
+  int width = 0, height = 0;
+};
+inline constexpr int kMaxLevels = 15;
+
+struct SampleState {
+  SampleLevel levels[kMaxLevels];
+  int first_level = 0, last_level = 0;
+  Sampler sampler;
+  bool needs_lod = false;      // minification and magnification differ, or mipmaps are used
+  float lod_threshold = 0;     // c: magnification when lod <= c (3.7.8)
+};
+
+SampleState make_sample_state(const TextureUnit& unit);
+
+// Fills batch.texture[unit] from batch.s, batch.t and (if needs_lod) batch.lod. Chosen for the
+// sampler once; runs on the SIMD target in use.
+using SampleFunction = void (*)(const SampleState& state, FragmentBatch& batch, int unit);
+SampleFunction select_sample_function(const SampleState& state);
+
+}  // namespace clearpipe::pipeline
