@@ -17,7 +17,7 @@ namespace clearpipe::pipeline {
 struct ColourBuffer {
   int width = 0, height = 0;
   std::unique_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
-  uint32_t stored_bits_or = 0;         // 0xff000000 when the buffer has no alpha: reads as 1
+  bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
 };
 
 // Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8.
@@ -27,7 +27,7 @@ struct DepthStencilBuffer {
   std::unique_ptr<uint32_t[]> values;
 };
 
-// Allocate with zeroed contents; null when memory does not suffice.
+// Allocate with contents of zero (alpha 255 without alpha bits); null when memory does not suffice.
 std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha);
 std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height,
                                                               bool has_depth, bool has_stencil);

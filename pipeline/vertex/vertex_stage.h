@@ -16,7 +16,7 @@ namespace clearpipe::pipeline {
 
 // Offsets, in floats, of a vertex record. Texture coordinates (s,t,r,q) of the units in
 // VertexState::texture_units follow kTexture in unit order, four floats each, then, with two-sided
-// lighting, the back colour.
+// lighting, the back colour and, with user clip planes, eight clip distances (plane . eye position).
 namespace vertex_record {
 inline constexpr int kClip = 0;        // clip coordinates x, y, z, w (2.10)
 inline constexpr int kWindow = 4;      // window x, y, z in [0,1], and 1/w_clip
@@ -32,6 +32,7 @@ struct VertexLayout {
   uint8_t texture_units = 0;                   // bit u
   uint8_t texture_offset[kMaxTextureUnits] = {};  // floats from the record's start
   uint8_t back_colour_offset = 0;              // 0: none
+  uint8_t clip_distance_offset = 0;            // 0: none; else eight floats, one per user plane
   uint8_t stride = vertex_record::kTexture;    // floats per record, a multiple of 4
 };
 

@@ -1,0 +1,42 @@
+// Clipping of the primitives that cross a clip plane (2.11), in homogeneous clip coordinates.
+//
+// The sides of the view volume need no clipping as long as a primitive stays within the guard band:
+// the viewport's rectangle bounds its pixels. What crosses the near or far plane, a user plane or
+// the guard band is cut by Sutherland and Hodgman's method.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/exec/arena.h"
+#include "pipeline/vertex/vertex_stage.h"
+
+namespace clearpipe::pipeline {
+
+struct ClipState {
+  VertexLayout layout;
+  Viewport viewport;
+  GuardBand guard;
+  bool flat_shade = false;
+};
+
+// The guard band of a viewport: the window range of raster/edge.h, in multiples of w.
+GuardBand make_guard_band(const Viewport& viewport);
+
+// Which planes a vertex must be cut against.
+inline constexpr uint32_t kClipMask =
+    kOutcodeNear | kOutcodeFar | kOutcodeGuard | ~(kOutcodeUser - 1);
+
+// A polygon has at most this many corners: 3, and one more for each of 14 planes.
+inline constexpr int kMaxClippedCorners = 3 + 6 + kMaxClipPlanes;
+
+// Cuts the triangle v[0..2] against the planes in `planes` (a union of outcodes). Corners are
+// written to `out`; new vertices come from `arena`. Returns their number, 0 when nothing is left.
+// With flat shading every corner carries the colours of the provoking vertex v[2].
+int clip_triangle(const ClipState& state, const float* const v[3], uint32_t planes, Arena& arena,
+                  const float** out);
+
+// Cuts a line, at both ends; false when nothing is left.
+bool clip_line(const ClipState& state, const float* v[2], uint32_t planes, Arena& arena);
+
+}  // namespace clearpipe::pipeline

@@ -1,0 +1,96 @@
+// What a frame is made of between recording and execution.
+//
+// Draws are cut into packets of a few hundred primitives, the unit of the front phase: a packet is
+// fetched, transformed, clipped, set up and binned by one worker into memory of its own. Packets
+// keep the order of submission; a clear is a packet of its own.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pipeline/bin/bins.h"
+#include "pipeline/clip/clip.h"
+#include "pipeline/command.h"
+#include "pipeline/exec/arena.h"
+#include "pipeline/fragment/program.h"
+#include "pipeline/setup/primitive.h"
+#include "pipeline/surface.h"
+
+namespace clearpipe::pipeline {
+
+inline constexpr uint32_t kPacketPrimitives = 512;
+inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
+
+// A fragment state with its program; keeps the images the program samples.
+struct ProgramHolder {
+  FragmentState state;
+  FragmentProgram* program = nullptr;
+  FragmentInputs inputs;
+
+  ProgramHolder() = default;
+  ProgramHolder(const ProgramHolder&) = delete;
+  ProgramHolder& operator=(const ProgramHolder&) = delete;
+  ~ProgramHolder() {
+    if (program != nullptr) {
+      destroy_fragment_program(program);
+    }
+  }
+};
+
+// A recorded draw: its command with every pointer good until the frame is done, and its state.
+struct DrawRecord {
+  DrawCommand command;
+  uint32_t index_base = 0;             // subtracted from every element index: arrays were copied
+  const VertexState* vertex = nullptr;
+  const ProgramHolder* program = nullptr;
+  SetupState setup;
+  ClipState clip;
+  bool cull_degenerate = true;
+};
+
+struct PacketRange {
+  uint32_t draw = 0;
+  uint32_t first_primitive = 0, primitive_count = 0;
+};
+
+struct Packet {
+  // Filled while recording.
+  std::vector<PacketRange> ranges;
+  uint32_t primitive_count = 0;
+  bool is_clear = false;
+  ClearCommand clear;
+
+  // Filled by the front phase.
+  std::vector<PrimitiveRecord> primitives;
+  Bins bins;
+
+  void reset() {
+    ranges.clear();
+    primitive_count = 0;
+    is_clear = false;
+    primitives.clear();
+  }
+};
+
+// How many primitives `count` vertices make (2.6.1).
+uint32_t primitive_count(Primitive primitive, uint32_t count);
+
+// Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.
+class FrontWorker;
+struct FrontWorkerDeleter {
+  void operator()(FrontWorker* worker) const;
+};
+using FrontWorkerPtr = std::unique_ptr<FrontWorker, FrontWorkerDeleter>;
+FrontWorkerPtr make_front_worker();
+void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const TileGrid& grid,
+               Packet& packet);
+void reset_front_worker(FrontWorker& worker);
+
+// Runs the back phase of one tile.
+void run_back(const std::vector<DrawRecord>& draws, const std::vector<std::unique_ptr<Packet>>& packets,
+              size_t packet_count, const Target& target, const TileGrid& grid, int tile_index,
+              Tile& tile);
+
+}  // namespace clearpipe::pipeline

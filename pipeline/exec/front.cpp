@@ -1,0 +1,190 @@
+// The front phase of a packet: elements -> vertex records -> primitives -> clip -> setup -> bins.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "pipeline/exec/frame_data.h"
+
+namespace clearpipe::pipeline {
+
+uint32_t primitive_count(Primitive primitive, uint32_t count) {
+  switch (primitive) {
+    case Primitive::kPoints: return count;
+    case Primitive::kLines: return count / 2;
+    case Primitive::kLineLoop: return count < 2 ? 0 : count;
+    case Primitive::kLineStrip: return count < 2 ? 0 : count - 1;
+    case Primitive::kTriangles: return count / 3;
+    case Primitive::kTriangleStrip:
+    case Primitive::kTriangleFan: return count < 3 ? 0 : count - 2;
+  }
+  return 0;
+}
+
+namespace {
+
+// The vertices of primitive `p`, numbered as the draw names them (2.6.1). The last is provoking;
+// odd triangles of a strip exchange the first two, so that all have the strip's winding.
+int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t out[3]) {
+  switch (primitive) {
+    case Primitive::kPoints: out[0] = p; return 1;
+    case Primitive::kLines: out[0] = 2 * p; out[1] = 2 * p + 1; return 2;
+    case Primitive::kLineLoop: out[0] = p; out[1] = p + 1 == count ? 0 : p + 1; return 2;
+    case Primitive::kLineStrip: out[0] = p; out[1] = p + 1; return 2;
+    case Primitive::kTriangles: out[0] = 3 * p; out[1] = 3 * p + 1; out[2] = 3 * p + 2; return 3;
+    case Primitive::kTriangleStrip:
+      out[0] = p + (p & 1); out[1] = p + 1 - (p & 1); out[2] = p + 2; return 3;
+    case Primitive::kTriangleFan: out[0] = 0; out[1] = p + 1; out[2] = p + 2; return 3;
+  }
+  return 0;
+}
+
+uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
+  const DrawCommand& command = draw.command;
+  switch (command.index_type) {
+    case IndexType::kNone: return command.first + vertex - draw.index_base;
+    case IndexType::kUnsignedByte:
+      return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
+    case IndexType::kUnsignedShort: {
+      uint16_t value;
+      std::memcpy(&value, command.indices + size_t{2} * vertex, sizeof(value));
+      return value - draw.index_base;
+    }
+    case IndexType::kUnsignedInt: {
+      uint32_t value;
+      std::memcpy(&value, command.indices + size_t{4} * vertex, sizeof(value));
+      return value - draw.index_base;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+// The scratch memory of one worker: the elements of the range at hand with a table that finds an
+// element already listed, so that a vertex used by several primitives is transformed once.
+class FrontWorker {
+ public:
+  void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
+    packet.bins.reset(grid);
+    packet.primitives.clear();
+    for (const PacketRange& range : packet.ranges) {
+      run_range(draws[range.draw], range, packet);
+    }
+    packet.bins.close();
+  }
+
+  void reset() { arena_.reset(); }
+
+ private:
+  static constexpr uint32_t kTableSize = 4096;  // a power of two, more than twice kPacketVertices
+  static_assert(kTableSize >= 2 * kPacketVertices);
+
+  uint16_t local_vertex(uint32_t element) {
+    uint32_t slot = (element * 2654435761u) >> 20;
+    while (table_generation_[slot] == generation_) {
+      if (elements_[table_vertex_[slot]] == element) {
+        return table_vertex_[slot];
+      }
+      slot = (slot + 1) & (kTableSize - 1);
+    }
+    table_generation_[slot] = generation_;
+    table_vertex_[slot] = static_cast<uint16_t>(element_count_);
+    elements_[element_count_] = element;
+    return static_cast<uint16_t>(element_count_++);
+  }
+
+  void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
+    ++generation_;
+    element_count_ = 0;
+    const Primitive primitive = draw.command.primitive;
+    int corners = 0;
+    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+      uint32_t vertex[3] = {};
+      corners = primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
+      for (int k = 0; k < corners; ++k) {
+        corner_[3 * i + k] = local_vertex(element_index(draw, vertex[k]));
+      }
+    }
+    const int stride = draw.setup.layout.stride;
+    float* records =
+        static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
+    VertexJob job;
+    job.draw = &draw.command;
+    job.state = draw.vertex;
+    job.viewport = draw.clip.viewport;
+    job.guard = draw.clip.guard;
+    job.layout = draw.setup.layout;
+    job.elements = elements_.data();
+    job.count = element_count_;
+    job.records = records;
+    run_vertex_stages(job);
+
+    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+      const float* v[3] = {};
+      uint32_t any = 0, all = ~0u;
+      for (int k = 0; k < corners; ++k) {
+        v[k] = records + static_cast<size_t>(corner_[3 * i + k]) * stride;
+        uint32_t outcode;
+        std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
+        any |= outcode;
+        all &= outcode;
+      }
+      if (all != 0 && (all & ~uint32_t{kOutcodeGuard}) != 0) {
+        continue;  // outside one plane as a whole
+      }
+      emit(draw, range.draw, corners, v, any & kClipMask, packet);
+    }
+  }
+
+  void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
+            uint32_t planes, Packet& packet) {
+    PrimitiveRecord record;
+    record.draw = draw_index;
+    if (corners == 3) {
+      if (planes == 0) {
+        add(setup_triangle(draw.setup, v[0], v[1], v[2], record), record, packet);
+        return;
+      }
+      const float* polygon[kMaxClippedCorners];
+      const int count = clip_triangle(draw.clip, v, planes, arena_, polygon);
+      for (int i = 2; i < count; ++i) {
+        PrimitiveRecord piece = record;
+        add(setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece), piece,
+            packet);
+      }
+    } else if (corners == 2) {
+      if (planes == 0 || clip_line(draw.clip, v, planes, arena_)) {
+        add(setup_line(draw.setup, v[0], v[1], record), record, packet);
+      }
+    } else if ((planes & ~uint32_t{kOutcodeGuard}) == 0 && planes == 0) {
+      add(setup_point(draw.setup, v[0], record), record, packet);
+    }
+  }
+
+  static void add(bool visible, const PrimitiveRecord& record, Packet& packet) {
+    if (visible) {
+      packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
+      packet.primitives.push_back(record);
+    }
+  }
+
+  Arena arena_;
+  uint32_t element_count_ = 0;
+  std::array<uint32_t, kPacketVertices> elements_;
+  std::array<uint16_t, kPacketVertices> corner_;
+  uint32_t generation_ = 0;
+  std::array<uint32_t, kTableSize> table_generation_{};
+  std::array<uint16_t, kTableSize> table_vertex_{};
+};
+
+FrontWorkerPtr make_front_worker() { return FrontWorkerPtr(new FrontWorker); }
+void FrontWorkerDeleter::operator()(FrontWorker* worker) const { delete worker; }
+void reset_front_worker(FrontWorker& worker) { worker.reset(); }
+
+void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const TileGrid& grid,
+               Packet& packet) {
+  worker.run(draws, grid, packet);
+}
+
+}  // namespace clearpipe::pipeline

@@ -1,0 +1,23 @@
+// The worker threads of the process: one task at a time is run by all of them and by the thread
+// that asks for it.
+//
+// CLEARPIPE_THREADS sets how many threads work on a task, the asking one included (default: the
+// number of processors the process may use). Threads start with the first task that can use them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace clearpipe::pipeline {
+
+// Called with the number of the working thread, in [0, worker_count()).
+using WorkerTask = void (*)(void* context, int worker);
+
+// How many threads work on a task.
+int worker_count();
+
+// Runs task(context, worker) on every worker and on the calling thread; returns when all have
+// returned. When another thread's task is running, the caller works alone, as worker 0.
+void run_on_workers(WorkerTask task, void* context);
+
+}  // namespace clearpipe::pipeline

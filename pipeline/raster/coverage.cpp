@@ -1,0 +1,153 @@
+// Coverage of a tile: see coverage.h.
+//
+// A row is covered where all edge functions are non-negative: their values are OR-ed, and the sign
+// bits of a vector of columns are bits of the row mask. Only the columns of the primitive's box are
+// looked at.
+// SPDX-License-Identifier: MIT
+#include "pipeline/raster/coverage.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "pipeline/simd.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/raster/coverage.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Row masks of the columns [first_column, end_column) for the rows [first_row, end_row), without
+// the columns outside that range masked off.
+template <int kEdges>
+void CoverRows(const TileEdges& edges, int first_column, int end_column, int first_row, int end_row,
+               uint64_t* rows) {
+  const hn::CappedTag<int32_t, 16> d;
+  using V = hn::Vec<decltype(d)>;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const int first = first_column / lanes * lanes;
+  const V column = hn::Iota(d, first);
+  V row_value[kEdges], step[kEdges], next_row[kEdges];
+  for (int e = 0; e < kEdges; ++e) {
+    const V a = hn::Set(d, edges.a[e]);
+    row_value[e] = hn::Add(hn::Mul(a, column), hn::Set(d, edges.c[e] + edges.b[e] * first_row));
+    step[e] = hn::Set(d, edges.a[e] * lanes);
+    next_row[e] = hn::Set(d, edges.b[e]);
+  }
+  const V zero = hn::Zero(d);
+  for (int row = first_row; row < end_row; ++row) {
+    V value[kEdges];
+    for (int e = 0; e < kEdges; ++e) {
+      value[e] = row_value[e];
+      row_value[e] = hn::Add(row_value[e], next_row[e]);
+    }
+    uint64_t outside = 0;
+    for (int x = first; x < end_column; x += lanes) {
+      V any = value[0];
+      for (int e = 1; e < kEdges; ++e) {
+        any = hn::Or(any, value[e]);
+      }
+      uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Lt(any, zero), bits);
+      uint32_t word;
+      std::memcpy(&word, bits, sizeof(word));
+      outside |= static_cast<uint64_t>(word) << x;
+      for (int e = 0; e < kEdges; ++e) {
+        value[e] = hn::Add(value[e], step[e]);
+      }
+    }
+    rows[row] = ~outside;
+  }
+}
+
+void CoverAllRows(const TileEdges& edges, int first_column, int end_column, int first_row,
+                  int end_row, uint64_t* rows) {
+  switch (edges.count) {
+    case 1: return CoverRows<1>(edges, first_column, end_column, first_row, end_row, rows);
+    case 2: return CoverRows<2>(edges, first_column, end_column, first_row, end_row, rows);
+    case 3: return CoverRows<3>(edges, first_column, end_column, first_row, end_row, rows);
+    case 4: return CoverRows<4>(edges, first_column, end_column, first_row, end_row, rows);
+    default: std::fill(rows + first_row, rows + end_row, ~uint64_t{0});
+  }
+}
+
+}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace clearpipe::pipeline {
+
+HWY_EXPORT(CoverAllRows);
+
+namespace {
+
+using CoverRowsFunction = void (*)(const TileEdges&, int, int, int, int, uint64_t*);
+
+CoverRowsFunction cover_rows() {
+  static const CoverRowsFunction function = [] {
+    select_simd_target();
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return static_cast<CoverRowsFunction>(HWY_DYNAMIC_DISPATCH(CoverAllRows));
+  }();
+  return function;
+}
+
+}  // namespace
+
+TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y,
+                          TileEdges& edges) {
+  edges.count = 0;
+  for (int i = 0; i < primitive.edge_count; ++i) {
+    const Edge& edge = primitive.edges[i];
+    const int64_t corner = edge.c + static_cast<int64_t>(edge.a) * tile_x +
+                           static_cast<int64_t>(edge.b) * tile_y;
+    const int32_t across = edge.a * (kTileWidth - 1);
+    const int32_t up = edge.b * (kTileHeight - 1);
+    const int64_t least = corner + std::min(across, 0) + std::min(up, 0);
+    const int64_t most = corner + std::max(across, 0) + std::max(up, 0);
+    if (most < 0) {
+      return TileOverlap::kOutside;
+    }
+    if (least < 0) {
+      // least < 0 <= most: the corner is within the tile's steps of zero, so 32 bits hold it.
+      edges.a[edges.count] = edge.a;
+      edges.b[edges.count] = edge.b;
+      edges.c[edges.count] = static_cast<int32_t>(corner);
+      ++edges.count;
+    }
+  }
+  return edges.count == 0 ? TileOverlap::kInside : TileOverlap::kPartial;
+}
+
+bool cover_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y, Coverage& coverage) {
+  const int x0 = std::max(primitive.x0 - tile_x, 0);
+  const int x1 = std::min(primitive.x1 - tile_x, kTileWidth);
+  const int y0 = std::max(primitive.y0 - tile_y, 0);
+  const int y1 = std::min(primitive.y1 - tile_y, kTileHeight);
+  if (x0 >= x1 || y0 >= y1) {
+    return false;
+  }
+  TileEdges edges;
+  if (classify_tile(primitive, tile_x, tile_y, edges) == TileOverlap::kOutside) {
+    return false;
+  }
+  cover_rows()(edges, x0, x1, y0, y1, coverage.rows);
+  const uint64_t columns = (~uint64_t{0} >> (kTileWidth - (x1 - x0))) << x0;
+  int first = y1, last = y0;
+  for (int row = y0; row < y1; ++row) {
+    coverage.rows[row] &= columns;
+    if (coverage.rows[row] != 0) {
+      first = std::min(first, row);
+      last = row + 1;
+    }
+  }
+  coverage.first_row = first;
+  coverage.last_row = last;
+  return first < last;
+}
+
+}  // namespace clearpipe::pipeline
+#endif  // HWY_ONCE

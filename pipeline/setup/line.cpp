@@ -1,0 +1,112 @@
+// Line setup (3.4): a line is a parallelogram whose long edges lie half a width before and after it
+// along the minor axis, and whose short edges are placed so that exactly the columns (or rows) that
+// the diamond-exit rule names are covered.
+//
+// All of it is said for an x-major line; a y-major one is the same with the axes exchanged.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/setup/primitive.h"
+
+namespace clearpipe::pipeline {
+
+namespace {
+
+struct Point {
+  float major, minor;
+};
+
+float from_centre(float v) { return v - std::floor(v) - 0.5f; }
+
+// Whether a line that passes through `p` (an end point) in direction `step` (+1 or -1 along the
+// major axis) with slope d(minor)/d(major) has left, at its end `p`, the diamond of p's pixel -
+// that is, the part of the line before p (or, for the start, after p) crosses the diamond's border.
+struct EndPoint {
+  float major, minor;    // offset from the centre of its pixel, [-0.5, 0.5)
+  bool inside_diamond;
+
+  explicit EndPoint(const Point& p)
+      : major(from_centre(p.major)),
+        minor(from_centre(p.minor)),
+        inside_diamond(std::fabs(major) + std::fabs(minor) < 0.5f) {}
+
+  // The line's minor offset from the centre where it crosses the pixel's centre column.
+  float minor_at_centre(float slope) const { return minor - major * slope; }
+
+  bool crosses_diamond(float slope) const { return std::fabs(minor_at_centre(slope)) < 0.5f; }
+};
+
+// 3.4.1: a fragment is produced for each pixel whose diamond the line exits. At the start: the
+// pixel is left when the line starts in its diamond or still has to pass through it.
+bool start_is_drawn(const EndPoint& end, float slope, float direction) {
+  if (end.inside_diamond) return true;
+  const bool past_centre = end.major * direction > 0;
+  return !past_centre && end.crosses_diamond(slope);
+}
+
+// At the end: the pixel is left when the line has passed through its diamond before it ends.
+bool end_is_drawn(const EndPoint& end, float slope, float direction) {
+  if (end.inside_diamond) return false;
+  const bool past_centre = end.major * direction > 0;
+  return past_centre && end.crosses_diamond(slope);
+}
+
+// Moves an end point along the line to the border of its pixel's column, so that the column is
+// covered (towards the outside) or not.
+Point move_to_column_border(const Point& p, const EndPoint& end, float slope, float side) {
+  const float offset = -end.major + side * 0.5f;
+  return {p.major + offset, p.minor + offset * slope};
+}
+
+}  // namespace
+
+bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out) {
+  const float* w0 = v0 + vertex_record::kWindow;
+  const float* w1 = v1 + vertex_record::kWindow;
+  const float dx = w1[0] - w0[0];
+  const float dy = w1[1] - w0[1];
+  if (dx == 0 && dy == 0) {
+    return false;
+  }
+  const bool x_major = std::fabs(dx) >= std::fabs(dy);
+  Point start = x_major ? Point{w0[0], w0[1]} : Point{w0[1], w0[0]};
+  Point end = x_major ? Point{w1[0], w1[1]} : Point{w1[1], w1[0]};
+  const float slope = x_major ? dy / dx : dx / dy;
+  const float direction = (x_major ? dx : dy) > 0 ? 1.0f : -1.0f;
+
+  // The plain parallelogram covers the columns whose centre lies between the end points. Where that
+  // differs from the rule, the end moves to the column's border.
+  const EndPoint s(start), e(end);
+  const bool start_covered = s.major * direction <= 0;
+  const bool end_covered = e.major * direction > 0;
+  const bool start_drawn = start_is_drawn(s, slope, direction);
+  const bool end_drawn = end_is_drawn(e, slope, direction);
+  if (start_covered != start_drawn) {
+    start = move_to_column_border(start, s, slope, start_drawn ? -direction : direction);
+  }
+  if (end_covered != end_drawn) {
+    end = move_to_column_border(end, e, slope, end_drawn ? direction : -direction);
+  }
+
+  const int width = std::max(1, static_cast<int>(std::floor(state.raster.line_width + 0.5f)));
+  const int32_t half = width * kSubpixelOne / 2;
+  const int32_t start_major = snap(start.major - 0.5f), start_minor = snap(start.minor - 0.5f);
+  const int32_t end_major = snap(end.major - 0.5f), end_minor = snap(end.minor - 0.5f);
+  const int32_t major[4] = {start_major, end_major, end_major, start_major};
+  const int32_t minor[4] = {start_minor - half, end_minor - half, end_minor + half,
+                            start_minor + half};
+  SnappedPoint corners[4];
+  for (int i = 0; i < 4; ++i) {
+    corners[i].x = x_major ? major[i] : minor[i];
+    corners[i].y = mirror(state, x_major ? minor[i] : major[i]);
+  }
+  out.kind = PrimitiveKind::kLine;
+  out.vertex[0] = v0;
+  out.vertex[1] = v1;
+  out.size = x_major ? 1.0f : -1.0f;
+  out.back_facing = false;
+  return set_polygon(state, corners, 4, out);
+}
+
+}  // namespace clearpipe::pipeline

@@ -1,0 +1,137 @@
+// Attribute planes: the linear functions of window position that shading evaluates (3.5.1, equation
+// 3.6 solved for its gradients), with polygon offset (3.5.2) and the coordinates of point sprites.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/setup/primitive.h"
+
+namespace clearpipe::pipeline {
+
+namespace {
+
+// The gradients of a function that is 0 at the reference vertex: dx = d1 * x1 + d2 * x2, where d1
+// and d2 are the differences of the other two vertices to the reference.
+struct Basis {
+  float x1 = 0, x2 = 0, y1 = 0, y2 = 0;
+
+  Plane plane(float a0, float a1, float a2) const {
+    const float d1 = a1 - a0;
+    const float d2 = a2 - a0;
+    return {a0, d1 * x1 + d2 * x2, d1 * y1 + d2 * y2};
+  }
+};
+
+float window_y(const SetupState& state, const float* record) {
+  const float y = record[vertex_record::kWindow + 1];
+  return state.mirror_height > 0 ? static_cast<float>(state.mirror_height) - y : y;
+}
+
+float window_x(const float* record) { return record[vertex_record::kWindow]; }
+float window_z(const float* record) { return record[vertex_record::kWindow + 2]; }
+float inv_w(const float* record) { return record[vertex_record::kWindow + 3]; }
+
+Basis triangle_basis(const SetupState& state, const PrimitiveRecord& p) {
+  const float x10 = window_x(p.vertex[1]) - window_x(p.vertex[0]);
+  const float x20 = window_x(p.vertex[2]) - window_x(p.vertex[0]);
+  const float y0 = window_y(state, p.vertex[0]);
+  const float y10 = window_y(state, p.vertex[1]) - y0;
+  const float y20 = window_y(state, p.vertex[2]) - y0;
+  const float area = x10 * y20 - x20 * y10;
+  if (area == 0) {
+    return {};
+  }
+  const float inverse = 1.0f / area;
+  return {y20 * inverse, -y10 * inverse, -x20 * inverse, x10 * inverse};
+}
+
+// 3.4.1: the varyings of a line change along its major axis.
+Basis line_basis(const SetupState& state, const PrimitiveRecord& p) {
+  Basis basis;
+  if (p.size > 0) {
+    basis.x1 = 1.0f / (window_x(p.vertex[1]) - window_x(p.vertex[0]));
+  } else {
+    basis.y1 = 1.0f / (window_y(state, p.vertex[1]) - window_y(state, p.vertex[0]));
+  }
+  return basis;
+}
+
+// 3.5.2: o = m * factor + r * units, with r the smallest step of a 24-bit depth buffer.
+float polygon_offset(const RasterState& raster, const Plane& depth) {
+  constexpr float kResolution = 1.0f / 16777215.0f;
+  const float slope = std::max(std::fabs(depth.dx), std::fabs(depth.dy));
+  return slope * raster.offset_factor + kResolution * raster.offset_units;
+}
+
+// 3.3.1: s runs from 0 to 1 across the sprite, t from 0 at its top edge to 1 at its bottom edge.
+void make_sprite_planes(const PrimitiveRecord& p, float inverse_w, Plane* out) {
+  const float step = 1.0f / p.size;
+  out[0] = {0.5f * inverse_w, step * inverse_w, 0};
+  out[1] = {0.5f * inverse_w, 0, -step * inverse_w};
+  out[2] = {0, 0, 0};
+  out[3] = {inverse_w, 0, 0};
+}
+
+}  // namespace
+
+void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePlanes& out) {
+  const float* v[3] = {p.vertex[0], p.vertex[0], p.vertex[0]};
+  Basis basis;
+  const float* provoking = v[0];
+  if (p.kind == PrimitiveKind::kTriangle) {
+    v[1] = p.vertex[1];
+    v[2] = p.vertex[2];
+    basis = triangle_basis(state, p);
+    provoking = v[2];
+  } else if (p.kind == PrimitiveKind::kLine) {
+    v[1] = p.vertex[1];
+    basis = line_basis(state, p);
+    provoking = v[1];
+  }
+  out.x_ref = window_x(v[0]);
+  out.y_ref = window_y(state, v[0]);
+  const float w[3] = {inv_w(v[0]), inv_w(v[1]), inv_w(v[2])};
+  out.perspective = w[0] != w[1] || w[0] != w[2];
+
+  if (state.inputs.depth) {
+    out.depth = basis.plane(window_z(v[0]), window_z(v[1]), window_z(v[2]));
+    if (state.raster.offset_fill && p.kind == PrimitiveKind::kTriangle) {
+      out.depth.value += polygon_offset(state.raster, out.depth);
+    }
+  }
+  float scale[3] = {1, 1, 1};
+  if (out.perspective) {
+    out.inv_w = basis.plane(w[0], w[1], w[2]);
+    std::copy(w, w + 3, scale);
+  }
+  const auto varying = [&](int offset) {
+    return basis.plane(v[0][offset] * scale[0], v[1][offset] * scale[1], v[2][offset] * scale[2]);
+  };
+  if (state.inputs.colour) {
+    const int offset = p.back_facing && state.two_sided ? state.layout.back_colour_offset
+                                                        : vertex_record::kColour;
+    out.flat_colour = state.raster.flat_shade || p.kind == PrimitiveKind::kPoint;
+    for (int i = 0; i < 4; ++i) {
+      out.colour[i] = out.flat_colour ? Plane{provoking[offset + i], 0, 0} : varying(offset + i);
+    }
+  }
+  if (state.inputs.fog) {
+    out.fog = varying(vertex_record::kFog);
+  }
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+    if ((state.inputs.texture_units >> unit & 1) == 0) {
+      continue;
+    }
+    if (p.kind == PrimitiveKind::kPoint && state.raster.point_sprite &&
+        (state.raster.coord_replace >> unit & 1) != 0) {
+      make_sprite_planes(p, 1.0f, out.texture[unit]);
+      continue;
+    }
+    const int offset = state.layout.texture_offset[unit];
+    for (int i = 0; i < 4; ++i) {
+      out.texture[unit][i] = varying(offset + i);
+    }
+  }
+}
+
+}  // namespace clearpipe::pipeline

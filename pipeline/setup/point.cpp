@@ -1,0 +1,62 @@
+// Point setup (3.3): aliased points cover a square of whole pixels, point sprites the exact square
+// around their position.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/setup/primitive.h"
+
+namespace clearpipe::pipeline {
+
+namespace {
+
+// 3.3: an odd size is centred on a pixel, an even one on a pixel corner.
+bool setup_square(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
+  const int width = std::max(1, static_cast<int>(std::floor(size + 0.5f)));
+  int32_t x = snap(window[0]);
+  int32_t y = snap(window[1]);
+  if (state.mirror_height > 0) {
+    y = state.mirror_height * kSubpixelOne - y;
+  }
+  const int rounding = (width & 1) != 0 ? 0 : kSubpixelOne / 2;
+  const int left = ((x + rounding) >> kSubpixelBits) - width / 2;
+  const int bottom = ((y + rounding) >> kSubpixelBits) - width / 2;
+  const int x0 = std::max(left, state.bounds.x0);
+  const int x1 = std::min(left + width, state.bounds.x1);
+  const int y0 = std::max(bottom, state.bounds.y0);
+  const int y1 = std::min(bottom + width, state.bounds.y1);
+  if (x0 >= x1 || y0 >= y1) {
+    return false;
+  }
+  out.x0 = static_cast<int16_t>(x0);
+  out.y0 = static_cast<int16_t>(y0);
+  out.x1 = static_cast<int16_t>(x1);
+  out.y1 = static_cast<int16_t>(y1);
+  out.edge_count = 0;
+  return true;
+}
+
+bool setup_sprite(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
+  const int32_t width = std::max<int32_t>(kSubpixelOne, snap(size));
+  const int32_t left = snap(window[0] - 0.5f) - width / 2;
+  const int32_t first = snap(window[1] - 0.5f) - width / 2;
+  const int32_t low = mirror(state, first);
+  const int32_t high = mirror(state, first + width);
+  const SnappedPoint corners[4] = {
+      {left, low}, {left + width, low}, {left + width, high}, {left, high}};
+  return set_polygon(state, corners, 4, out);
+}
+
+}  // namespace
+
+bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out) {
+  out.kind = PrimitiveKind::kPoint;
+  out.vertex[0] = v0;
+  out.back_facing = false;
+  out.size = v0[vertex_record::kPointSize];
+  const float* window = v0 + vertex_record::kWindow;
+  return state.raster.point_sprite ? setup_sprite(state, window, out.size, out)
+                                   : setup_square(state, window, out.size, out);
+}
+
+}  // namespace clearpipe::pipeline

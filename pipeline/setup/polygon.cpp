@@ -1,0 +1,56 @@
+// What triangles, lines and points share: snapping, edges and the box of pixels.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/setup/primitive.h"
+
+namespace clearpipe::pipeline {
+
+int32_t snap(float pixels) {
+  // Adding 1.5 * 2^23 leaves the nearest integer in the low mantissa bits; exact for |v| < 2^22,
+  // and beyond it (positions up to 2^23 here) nearbyint is exact as well.
+  return static_cast<int32_t>(std::nearbyint(pixels * static_cast<float>(kSubpixelOne)));
+}
+
+bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count,
+                 PrimitiveRecord& out) {
+  int32_t min_x = corners[0].x, max_x = corners[0].x;
+  int32_t min_y = corners[0].y, max_y = corners[0].y;
+  for (int i = 1; i < count; ++i) {
+    min_x = std::min(min_x, corners[i].x);
+    max_x = std::max(max_x, corners[i].x);
+    min_y = std::min(min_y, corners[i].y);
+    max_y = std::max(max_y, corners[i].y);
+  }
+  // Centres lie at whole pixels: the first one not left of min, and the last one not right of max.
+  const auto first_centre = [](int32_t v) { return (v + kSubpixelOne - 1) >> kSubpixelBits; };
+  const auto last_centre = [](int32_t v) { return v >> kSubpixelBits; };
+  const int x0 = std::max(first_centre(min_x), state.bounds.x0);
+  const int x1 = std::min(last_centre(max_x) + 1, state.bounds.x1);
+  const int y0 = std::max(first_centre(min_y), state.bounds.y0);
+  const int y1 = std::min(last_centre(max_y) + 1, state.bounds.y1);
+  if (x0 >= x1 || y0 >= y1) {
+    return false;
+  }
+  out.x0 = static_cast<int16_t>(x0);
+  out.y0 = static_cast<int16_t>(y0);
+  out.x1 = static_cast<int16_t>(x1);
+  out.y1 = static_cast<int16_t>(y1);
+  out.edge_count = static_cast<uint8_t>(count);
+  int64_t doubled_area = 0;
+  for (int i = 0; i < count; ++i) {
+    const SnappedPoint& p = corners[i];
+    const SnappedPoint& q = corners[(i + 1) % count];
+    doubled_area += static_cast<int64_t>(p.x) * q.y - static_cast<int64_t>(q.x) * p.y;
+  }
+  for (int i = 0; i < count; ++i) {
+    const SnappedPoint& p = corners[i];
+    const SnappedPoint& q = corners[(i + 1) % count];
+    out.edges[i] =
+        doubled_area >= 0 ? make_edge(p.x, p.y, q.x, q.y) : make_edge(q.x, q.y, p.x, p.y);
+  }
+  return true;
+}
+
+}  // namespace clearpipe::pipeline

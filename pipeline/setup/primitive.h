@@ -1,0 +1,70 @@
+// A primitive after setup: what binning, rasterization and shading need, in one record.
+//
+// Edges are kept because every tile tests them; attribute planes are not: they are derived from the
+// vertices by make_planes when a tile really shades pixels of the primitive.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/fragment/program.h"
+#include "pipeline/raster/edge.h"
+#include "pipeline/state.h"
+#include "pipeline/vertex/vertex_stage.h"
+
+namespace clearpipe::pipeline {
+
+enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle, kRectangle };
+
+// What setup needs to know of a draw, the same for all its primitives.
+struct SetupState {
+  RasterState raster;
+  VertexLayout layout;
+  Rect bounds;              // pixels that may be touched: scissor and surface, and for triangles
+                            // the viewport, which stands in for clipping inside the guard band
+  FragmentInputs inputs;
+  int mirror_height = 0;    // > 0: record y counts down from the top of a surface this high
+  bool two_sided = false;   // back colour at layout.back_colour_offset
+};
+
+struct PrimitiveRecord {
+  const float* vertex[3] = {};  // vertex records; points use one, lines two
+  Edge edges[4];
+  // Pixels that may be covered, inside SetupState::bounds; half-open.
+  int16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  float size = 0;               // points: the size used; lines: +1 x-major, -1 y-major
+  uint32_t draw = 0;            // index of the draw in the frame
+  PrimitiveKind kind = PrimitiveKind::kTriangle;
+  uint8_t edge_count = 0;       // 0: the whole box is covered
+  bool back_facing = false;
+};
+
+// The setup of each kind of primitive; false when nothing can be covered. The triangle's third
+// vertex and the line's second one are provoking.
+bool setup_triangle(const SetupState& state, const float* v0, const float* v1, const float* v2,
+                    PrimitiveRecord& out);
+bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out);
+bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out);
+
+// The planes of the varyings in state.inputs, and of depth.
+void make_planes(const SetupState& state, const PrimitiveRecord& primitive, PrimitivePlanes& out);
+
+// Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
+struct SnappedPoint {
+  int32_t x = 0, y = 0;
+};
+
+// Rounds to nearest, ties to even, as the reference's conversion does.
+int32_t snap(float pixels);
+
+// The record's y, mirrored into window coordinates.
+inline int32_t mirror(const SetupState& state, int32_t y) {
+  return state.mirror_height > 0 ? (state.mirror_height - 1) * kSubpixelOne - y : y;
+}
+
+// Sets the edges of a convex polygon of `count` corners in either winding and the box of pixels it
+// may cover; false when the box is empty.
+bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count,
+                 PrimitiveRecord& out);
+
+}  // namespace clearpipe::pipeline
