@@ -3,6 +3,7 @@
 # programs with. To be sourced by bash; sets `root` to the top of the checkout.
 
 set -euo pipefail
+shopt -s inherit_errexit
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '\n== %s\n' "$*"; }
