@@ -67,13 +67,4 @@ struct ClearCommand {
   uint8_t stencil_value = 0, stencil_mask = 0xff;
 };
 
-// glDrawTex (OES_draw_texture): a window-aligned rectangle at one depth.
-struct RectCommand {
-  float x = 0, y = 0, width = 0, height = 0;  // window coordinates
-  float z = 0;                                // window depth, [0,1]
-  Vec4 colour;
-  float fog = 1;                              // fog factor f of equation 3.24..3.26
-  std::array<std::array<float, 4>, kMaxTextureUnits> texture{};  // s0, t0, s1, t1 per unit
-};
-
 }  // namespace clearpipe::pipeline

@@ -30,13 +30,12 @@ class Frame {
 
   // Records a draw; false when memory does not suffice. Client memory is read before return.
   bool draw(const DrawCommand& command);
-  bool draw_rect(const RectCommand& command);
   bool clear(const ClearCommand& command);
 
   // Executes everything recorded; the surfaces then hold the result.
   void finish();
 
-  // Forgets the planes' contents (EXT_discard_framebuffer, buffer swap): they need not be merged.
+  // Whether nothing waits for finish().
   bool empty() const;
 
  private:

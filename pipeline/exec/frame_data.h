@@ -47,7 +47,6 @@ struct DrawRecord {
   const ProgramHolder* program = nullptr;
   SetupState setup;
   ClipState clip;
-  bool cull_degenerate = true;
 };
 
 struct PacketRange {

@@ -157,7 +157,7 @@ class FrontWorker {
       if (planes == 0 || clip_line(draw.clip, v, planes, arena_)) {
         add(setup_line(draw.setup, v[0], v[1], record), record, packet);
       }
-    } else if ((planes & ~uint32_t{kOutcodeGuard}) == 0 && planes == 0) {
+    } else if (planes == 0) {
       add(setup_point(draw.setup, v[0], record), record, packet);
     }
   }

@@ -19,9 +19,8 @@ struct Point {
 
 float from_centre(float v) { return v - std::floor(v) - 0.5f; }
 
-// Whether a line that passes through `p` (an end point) in direction `step` (+1 or -1 along the
-// major axis) with slope d(minor)/d(major) has left, at its end `p`, the diamond of p's pixel -
-// that is, the part of the line before p (or, for the start, after p) crosses the diamond's border.
+// An end point as the diamond-exit rule sees it: its place in its pixel, whose diamond is
+// |x - centre| + |y - centre| < 1/2.
 struct EndPoint {
   float major, minor;    // offset from the centre of its pixel, [-0.5, 0.5)
   bool inside_diamond;
@@ -31,10 +30,9 @@ struct EndPoint {
         minor(from_centre(p.minor)),
         inside_diamond(std::fabs(major) + std::fabs(minor) < 0.5f) {}
 
-  // The line's minor offset from the centre where it crosses the pixel's centre column.
-  float minor_at_centre(float slope) const { return minor - major * slope; }
-
-  bool crosses_diamond(float slope) const { return std::fabs(minor_at_centre(slope)) < 0.5f; }
+  // Whether the line passes through the diamond, which a slope within +-1 does exactly when it
+  // crosses the pixel's centre column inside the diamond's height of +-1/2.
+  bool crosses_diamond(float slope) const { return std::fabs(minor - major * slope) < 0.5f; }
 };
 
 // 3.4.1: a fragment is produced for each pixel whose diamond the line exits. At the start: the
