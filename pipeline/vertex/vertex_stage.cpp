@@ -1,0 +1,123 @@
+// The order of the vertex stages, compiled once per SIMD target (2.8 to 2.12).
+//
+// fetch -> transform -> clip tests -> viewport -> texture coordinates -> colour -> points, fog ->
+// records, a batch at a time.
+// SPDX-License-Identifier: MIT
+#include "pipeline/simd.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/vertex/vertex_stage.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "pipeline/vertex/fetch-inl.h"
+#include "pipeline/vertex/lighting-inl.h"
+#include "pipeline/vertex/math-inl.h"
+#include "pipeline/vertex/point-inl.h"
+#include "pipeline/vertex/project-inl.h"
+#include "pipeline/vertex/record-inl.h"
+#include "pipeline/vertex/texcoord-inl.h"
+#include "pipeline/vertex/transform-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What holds for all batches of a job: constant attributes and outputs nobody computes.
+void prepare_batch(const VertexJob& job, const VertexPlan& plan, VertexBatch& batch) {
+  for (int a = 0; a < kAttributeCount; ++a) {
+    if ((plan.attributes >> a & 1) != 0) {
+      fill_constant_lanes(job.draw->attributes[a], batch.attribute[a]);
+    }
+  }
+  std::fill_n(batch.point_size, kVertexBatch, 1.0f);
+  std::fill_n(batch.point_alpha, kVertexBatch, 1.0f);
+  std::fill_n(batch.fog, kVertexBatch, 0.0f);
+  if (plan.points && (plan.attributes >> static_cast<int>(Attribute::kPointSize) & 1) == 0) {
+    std::fill_n(batch.attribute[static_cast<int>(Attribute::kPointSize)][0], kVertexBatch,
+                job.state->point_size);
+  }
+  if (job.layout.clip_distance_offset != 0) {
+    for (Lane& lane : batch.clip_distance) {
+      std::fill_n(lane, kVertexBatch, 0.0f);
+    }
+  }
+}
+
+void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_t count,
+               VertexBatch& batch) {
+  const VertexState& state = *job.state;
+  const auto attribute = [&batch](Attribute a) { return batch.attribute[static_cast<int>(a)]; };
+
+  for (int a = 0; a < kAttributeCount; ++a) {
+    const AttributeSource& source = job.draw->attributes[a];
+    if ((plan.attributes >> a & 1) != 0 && reads_array(source)) {
+      fetch_array(source, job.elements + first, count, batch.attribute[a]);
+    }
+  }
+
+  const Lane* position = attribute(Attribute::kPosition);
+  transform_position(state.model_view_projection, position, count, batch.clip);
+  test_clip_volume(batch.clip, job.guard, count, batch.outcode);
+  project_to_window(batch.clip, job.viewport, count, batch.window);
+
+  if (plan.eye_position) {
+    transform_position(state.model_view, position, count, batch.eye);
+  } else if (plan.eye_z) {
+    transform_row(state.model_view, 2, position, count, batch.eye[2]);
+  }
+  if (state.clip_planes != 0) {
+    test_user_planes(state, batch.eye, count, batch.clip_distance, batch.outcode);
+  }
+
+  transform_texture_coordinates(state, batch, count);
+
+  const Lane* current = attribute(Attribute::kColour);
+  if (state.lighting) {
+    transform_normal(state, attribute(Attribute::kNormal), count, batch.normal);
+    light_vertices(state, batch.eye, batch.normal, current, count, batch.colour,
+                   batch.back_colour);
+  } else {
+    clamp_colour(current, count, batch.colour);
+  }
+
+  if (state.fog) {
+    fog_coordinate(batch.eye[2], count, batch.fog);
+  }
+  if (plan.points) {
+    derive_point_size(state, attribute(Attribute::kPointSize)[0], batch.eye, count,
+                      batch.point_size, batch.point_alpha);
+  }
+  store_records(state, job.layout, batch, count, job.records + first * job.layout.stride);
+}
+
+void run(const VertexJob& job, const VertexPlan& plan) {
+  VertexBatch batch;
+  prepare_batch(job, plan, batch);
+  for (size_t first = 0; first < job.count; first += kVertexBatch) {
+    run_batch(job, plan, first, std::min(kVertexBatch, job.count - first), batch);
+  }
+}
+
+const VertexKernels* kernels() {
+  static constexpr VertexKernels kKernels = {&run};
+  return &kKernels;
+}
+
+}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace clearpipe::pipeline {
+
+HWY_EXPORT(kernels);
+
+const VertexKernels& current_vertex_kernels() { return *HWY_DYNAMIC_DISPATCH(kernels)(); }
+
+void run_vertex_stages(const VertexJob& job) {
+  static const VertexKernels& resolved = current_vertex_kernels();
+  resolved.run(job, make_vertex_plan(*job.draw, *job.state));
+}
+
+}  // namespace clearpipe::pipeline
+#endif  // HWY_ONCE
