@@ -19,7 +19,7 @@
 #include "pipeline/vertex/vertex_batch.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Components of type T become floats of the same value.
@@ -106,7 +106,7 @@ HWY_INLINE void fill_constant_lanes(const AttributeSource& source, Lane* out) {
   }
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // CLEARPIPE_VERTEX_FETCH_INL_H_

@@ -19,7 +19,7 @@
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // max(x, low) that gives `low` for NaN.
@@ -158,7 +158,7 @@ HWY_INLINE V exp2(D d, V x) {
       x, x);
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // CLEARPIPE_VERTEX_MATH_INL_H_

@@ -22,7 +22,7 @@
 #include "pipeline/vertex/vertex_batch.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // A vertex is outside a plane unless it is known to be inside, so a NaN is outside all of them.
@@ -107,7 +107,7 @@ HWY_INLINE void project_to_window(const Lane* clip, const Viewport& viewport, si
   }
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // CLEARPIPE_VERTEX_PROJECT_INL_H_

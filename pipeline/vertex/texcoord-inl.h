@@ -13,7 +13,7 @@
 #include "pipeline/vertex/vertex_batch.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 
 // The lanes that hold unit's final coordinates: those fetched when its matrix is the identity,
 // else the batch's own, which transform_texture_coordinates fills.
@@ -35,7 +35,7 @@ HWY_INLINE void transform_texture_coordinates(const VertexState& state, VertexBa
   }
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // CLEARPIPE_VERTEX_TEXCOORD_INL_H_

@@ -15,7 +15,7 @@
 #include "pipeline/vertex/vertex_batch.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <class D, class V = hn::Vec<D>>
@@ -82,7 +82,7 @@ HWY_INLINE void transform_normal(const VertexState& state, const Lane* in, size_
   }
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // CLEARPIPE_VERTEX_TRANSFORM_INL_H_

@@ -20,7 +20,7 @@
 #include "pipeline/vertex/transform-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // What holds for all batches of a job: constant attributes and outputs nobody computes.
@@ -104,15 +104,20 @@ const VertexKernels* kernels() {
   return &kKernels;
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::vertex::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace clearpipe::pipeline {
 
+namespace vertex {
 HWY_EXPORT(kernels);
+}  // namespace vertex
 
-const VertexKernels& current_vertex_kernels() { return *HWY_DYNAMIC_DISPATCH(kernels)(); }
+const VertexKernels& current_vertex_kernels() {
+  using namespace vertex;
+  return *HWY_DYNAMIC_DISPATCH(kernels)();
+}
 
 void run_vertex_stages(const VertexJob& job) {
   static const VertexKernels& resolved = current_vertex_kernels();
