@@ -80,7 +80,7 @@ TEST(Coverage, SharedEdgesHaveNoGapAndNoDoubleHit) {
   std::mt19937 random(2);
   const SetupState state = test_state();
   constexpr int kCells = 7;
-  std::uniform_int_distribution<int> jitter(-2500, 2500);
+  std::uniform_int_distribution<int> jitter(-1500, 1500);
   for (int round = 0; round < 20; ++round) {
     SnappedPoint grid[kCells + 1][kCells + 1];
     for (int j = 0; j <= kCells; ++j) {
