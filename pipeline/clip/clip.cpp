@@ -40,6 +40,10 @@ int collect_planes(const ClipState& state, uint32_t planes, ClipPlane* out) {
     out[count++] = {1, 1, state.guard.y_min, -1};
     out[count++] = {1, -1, state.guard.y_max, -1};
   }
+  if ((planes & kOutcodeLeft) != 0) out[count++] = {0, 1, -1, -1};
+  if ((planes & kOutcodeRight) != 0) out[count++] = {0, -1, 1, -1};
+  if ((planes & kOutcodeBottom) != 0) out[count++] = {1, 1, -1, -1};
+  if ((planes & kOutcodeTop) != 0) out[count++] = {1, -1, 1, -1};
   for (int i = 0; i < kMaxClipPlanes; ++i) {
     if ((planes & (kOutcodeUser << i)) != 0 && state.layout.clip_distance_offset != 0) {
       out[count++] = {0, 1, 0, state.layout.clip_distance_offset + i};
@@ -118,7 +122,7 @@ GuardBand make_guard_band(const Viewport& viewport) {
 
 int clip_triangle(const ClipState& state, const float* const v[3], uint32_t planes, Arena& arena,
                   const float** out) {
-  ClipPlane list[6 + kMaxClipPlanes];
+  ClipPlane list[kMaxPlanes];
   const int plane_count = collect_planes(state, planes, list);
   const float* buffers[2][kMaxClippedCorners + 1];
   std::copy_n(v, 3, buffers[0]);
@@ -145,7 +149,7 @@ int clip_triangle(const ClipState& state, const float* const v[3], uint32_t plan
 }
 
 bool clip_line(const ClipState& state, const float* v[2], uint32_t planes, Arena& arena) {
-  ClipPlane list[6 + kMaxClipPlanes];
+  ClipPlane list[kMaxPlanes];
   const int plane_count = collect_planes(state, planes, list);
   const float* provoking = v[1];
   for (int i = 0; i < plane_count; ++i) {

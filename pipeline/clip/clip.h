@@ -23,12 +23,14 @@ struct ClipState {
 // The guard band of a viewport: the window range of raster/edge.h, in multiples of w.
 GuardBand make_guard_band(const Viewport& viewport);
 
-// Which planes a vertex must be cut against.
-inline constexpr uint32_t kClipMask =
+// The planes that a triangle must be cut against; a line is cut against all it crosses, since its
+// width may reach past the viewport.
+inline constexpr uint32_t kTriangleClipMask =
     kOutcodeNear | kOutcodeFar | kOutcodeGuard | ~(kOutcodeUser - 1);
 
-// A polygon has at most this many corners: 3, and one more for each of 14 planes.
-inline constexpr int kMaxClippedCorners = 3 + 6 + kMaxClipPlanes;
+// Each plane adds a corner at most.
+inline constexpr int kMaxPlanes = 10 + kMaxClipPlanes;
+inline constexpr int kMaxClippedCorners = 3 + kMaxPlanes;
 
 // Cuts the triangle v[0..2] against the planes in `planes` (a union of outcodes). Corners are
 // written to `out`; new vertices come from `arena`. Returns their number, 0 when nothing is left.

@@ -104,18 +104,14 @@ struct Frame::Impl {
 
   Rect draw_bounds(Primitive primitive) const {
     Rect bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
-    const bool triangles = primitive >= Primitive::kTriangles;
-    if (triangles || primitive != Primitive::kPoints) {
-      // Wide lines and points may reach past the viewport; polygons are clipped to it.
+    if (primitive >= Primitive::kTriangles) {
+      // Stands in for clipping at the sides of the view volume. Points and wide lines that lie
+      // inside it may reach past the viewport.
       const Viewport& v = raster_state.viewport;
-      const auto edge = [](float centre, float scale, float sign) {
-        return static_cast<int>(centre + sign * scale);
-      };
-      const bool wide_line = !triangles && raster_state.line_width > 1;
-      if (!wide_line) {
-        bounds = intersect(bounds, {edge(v.centre_x, v.scale_x, -1), edge(v.centre_y, v.scale_y, -1),
-                                    edge(v.centre_x, v.scale_x, 1), edge(v.centre_y, v.scale_y, 1)});
-      }
+      bounds = intersect(bounds, {static_cast<int>(v.centre_x - v.scale_x),
+                                  static_cast<int>(v.centre_y - v.scale_y),
+                                  static_cast<int>(v.centre_x + v.scale_x),
+                                  static_cast<int>(v.centre_y + v.scale_y)});
     }
     return bounds;
   }

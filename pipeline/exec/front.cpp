@@ -133,15 +133,16 @@ class FrontWorker {
       if (all != 0 && (all & ~uint32_t{kOutcodeGuard}) != 0) {
         continue;  // outside one plane as a whole
       }
-      emit(draw, range.draw, corners, v, any & kClipMask, packet);
+      emit(draw, range.draw, corners, v, any, packet);
     }
   }
 
   void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
-            uint32_t planes, Packet& packet) {
+            uint32_t outcodes, Packet& packet) {
     PrimitiveRecord record;
     record.draw = draw_index;
     if (corners == 3) {
+      const uint32_t planes = outcodes & kTriangleClipMask;
       if (planes == 0) {
         add(setup_triangle(draw.setup, v[0], v[1], v[2], record), record, packet);
         return;
@@ -154,10 +155,10 @@ class FrontWorker {
             packet);
       }
     } else if (corners == 2) {
-      if (planes == 0 || clip_line(draw.clip, v, planes, arena_)) {
+      if (outcodes == 0 || clip_line(draw.clip, v, outcodes, arena_)) {
         add(setup_line(draw.setup, v[0], v[1], record), record, packet);
       }
-    } else if (planes == 0) {
+    } else if (outcodes == 0) {
       add(setup_point(draw.setup, v[0], record), record, packet);
     }
   }
