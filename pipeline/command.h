@@ -20,28 +20,44 @@ using BufferData = std::vector<std::byte>;
 using BufferRef = std::shared_ptr<const BufferData>;
 
 enum class Primitive : uint8_t {
-  kPoints, kLines, kLineLoop, kLineStrip, kTriangles, kTriangleStrip, kTriangleFan
+  kPoints,
+  kLines,
+  kLineLoop,
+  kLineStrip,
+  kTriangles,
+  kTriangleStrip,
+  kTriangleFan
 };
 
 enum class ComponentType : uint8_t { kByte, kUnsignedByte, kShort, kFixed, kFloat };
 
 // The attributes of a vertex, in the order the vertex stages keep them.
 enum class Attribute : uint8_t {
-  kPosition, kNormal, kColour, kPointSize,
-  kTexCoord0, kTexCoord1, kTexCoord2, kTexCoord3, kTexCoord4, kTexCoord5, kTexCoord6, kTexCoord7
+  kPosition,
+  kNormal,
+  kColour,
+  kPointSize,
+  kTexCoord0,
+  kTexCoord1,
+  kTexCoord2,
+  kTexCoord3,
+  kTexCoord4,
+  kTexCoord5,
+  kTexCoord6,
+  kTexCoord7
 };
 inline constexpr int kAttributeCount = 12;
 
 // Where one attribute comes from (2.8).
 struct AttributeSource {
-  bool is_array = false;            // else: `constant` for every vertex
+  bool is_array = false;  // else: `constant` for every vertex
   ComponentType type = ComponentType::kFloat;
-  uint8_t size = 4;                 // components per element; missing ones are 0,0,0,1
-  bool normalized = false;          // integers map to [0,1] or [-1,1] (table 2.7)
-  uint32_t stride = 0;              // bytes between elements, never 0 for arrays
+  uint8_t size = 4;                    // components per element; missing ones are 0,0,0,1
+  bool normalized = false;             // integers map to [0,1] or [-1,1] (table 2.7)
+  uint32_t stride = 0;                 // bytes between elements, never 0 for arrays
   const std::byte* pointer = nullptr;  // first element: client memory or inside `buffer`
-  BufferRef buffer;                 // set when `pointer` lies in a buffer object
-  uint32_t max_index = 0xffffffffu; // largest element inside `buffer`; larger indices are clamped
+  BufferRef buffer;                    // set when `pointer` lies in a buffer object
+  uint32_t max_index = 0xffffffffu;  // largest element inside `buffer`; larger indices are clamped
   Vec4 constant;
 };
 
@@ -50,7 +66,7 @@ enum class IndexType : uint8_t { kNone, kUnsignedByte, kUnsignedShort, kUnsigned
 struct DrawCommand {
   Primitive primitive = Primitive::kTriangles;
   std::array<AttributeSource, kAttributeCount> attributes;
-  uint32_t first = 0;               // for IndexType::kNone
+  uint32_t first = 0;  // for IndexType::kNone
   uint32_t count = 0;
   IndexType index_type = IndexType::kNone;
   const std::byte* indices = nullptr;  // client memory or inside `index_buffer`
@@ -61,7 +77,7 @@ struct DrawCommand {
 struct ClearCommand {
   Rect rect;
   bool colour = false, depth = false, stencil = false;
-  uint32_t colour_value = 0;        // RGBA8, already converted
+  uint32_t colour_value = 0;  // RGBA8, already converted
   uint8_t colour_mask = 0xf;
   uint32_t depth_value = 0xffffff;  // 24 bits
   uint8_t stencil_value = 0, stencil_mask = 0xff;

@@ -16,9 +16,9 @@ namespace clearpipe::pipeline {
 
 // Texels are R | G<<8 | B<<16 | A<<24 in little-endian memory order R,G,B,A.
 struct ImageLevel {
-  int width = 0;                  // texels
+  int width = 0;  // texels
   int height = 0;
-  std::vector<uint32_t> texels;   // row-major, width * height
+  std::vector<uint32_t> texels;  // row-major, width * height
 };
 
 struct Image {

@@ -27,7 +27,14 @@ struct Mat4 {
 };
 
 enum class CompareFunc : uint8_t {
-  kNever, kLess, kEqual, kLessEqual, kGreater, kNotEqual, kGreaterEqual, kAlways
+  kNever,
+  kLess,
+  kEqual,
+  kLessEqual,
+  kGreater,
+  kNotEqual,
+  kGreaterEqual,
+  kAlways
 };
 
 // ---- Vertex state -------------------------------------------------------------------------------
@@ -35,15 +42,15 @@ enum class CompareFunc : uint8_t {
 // One light (2.12.1). Products with the material are formed by the derivation.
 struct Light {
   bool enabled = false;
-  bool positional = false;      // position.w != 0
-  bool spot = false;            // spot cutoff != 180
-  bool attenuated = false;      // any factor other than constant 1
-  Vec4 ambient;                 // light colours; the material multiplies them per vertex
+  bool positional = false;  // position.w != 0
+  bool spot = false;        // spot cutoff != 180
+  bool attenuated = false;  // any factor other than constant 1
+  Vec4 ambient;             // light colours; the material multiplies them per vertex
   Vec4 diffuse;
   Vec4 specular;
-  Vec4 position;                // eye space; for a directional light: the unit direction to it
-  Vec4 half_vector;             // directional light: unit vector between it and (0,0,1)
-  Vec4 spot_direction;          // eye space, unit
+  Vec4 position;        // eye space; for a directional light: the unit direction to it
+  Vec4 half_vector;     // directional light: unit vector between it and (0,0,1)
+  Vec4 spot_direction;  // eye space, unit
   float spot_exponent = 0;
   float spot_cutoff_cos = -1;
   float attenuation[3] = {1, 0, 0};  // constant, linear, quadratic
@@ -55,10 +62,10 @@ struct Material {
 };
 
 struct VertexState {
-  Mat4 model_view_projection;   // projection * modelview, composed in float
+  Mat4 model_view_projection;  // projection * modelview, composed in float
   Mat4 model_view;
   std::array<float, 9> normal_matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major inverse transpose
-  float rescale = 1;            // factor of RESCALE_NORMAL
+  float rescale = 1;                                              // factor of RESCALE_NORMAL
   bool rescale_normal = false;
   bool normalize = false;
   bool lighting = false;
@@ -67,11 +74,11 @@ struct VertexState {
   Vec4 scene_ambient;            // light model ambient
   Material material;
   std::array<Light, kMaxLights> lights;
-  bool fog = false;              // the fog coordinate |eye z| is needed per fragment (3.8)
-  uint8_t texture_units = 0;     // bit u: unit u samples a texture, so its coordinates are needed
-  uint8_t texture_matrix = 0;    // bit u: texture matrix of unit u is not the identity
+  bool fog = false;            // the fog coordinate |eye z| is needed per fragment (3.8)
+  uint8_t texture_units = 0;   // bit u: unit u samples a texture, so its coordinates are needed
+  uint8_t texture_matrix = 0;  // bit u: texture matrix of unit u is not the identity
   std::array<Mat4, kMaxTextureUnits> texture_matrices;
-  uint8_t clip_planes = 0;       // bit i: user clip plane i is enabled (2.11)
+  uint8_t clip_planes = 0;                      // bit i: user clip plane i is enabled (2.11)
   std::array<Vec4, kMaxClipPlanes> clip_plane;  // eye space
   // Points (3.3): derived size = clamp(size * attenuation), fade below the threshold.
   float point_size = 1, point_size_min = 0, point_size_max = 255, point_fade_threshold = 1;
@@ -95,17 +102,17 @@ struct Rect {
 
 struct RasterState {
   Viewport viewport;
-  Rect scissor;                 // always set: the scissor box or the whole surface
+  Rect scissor;  // always set: the scissor box or the whole surface
   CullFace cull = CullFace::kNone;
   bool front_is_clockwise = false;
-  bool flat_shade = false;      // the provoking vertex is the last of the primitive (2.13.7)
+  bool flat_shade = false;  // the provoking vertex is the last of the primitive (2.13.7)
   bool offset_fill = false;
   float offset_factor = 0, offset_units = 0;
   float line_width = 1;
   bool line_smooth = false;
   bool point_smooth = false;
   bool point_sprite = false;
-  uint8_t coord_replace = 0;    // bit u
+  uint8_t coord_replace = 0;  // bit u
   bool multisample = true;
 };
 
@@ -122,17 +129,33 @@ struct Sampler {
   float lod_bias = 0;
   float max_anisotropy = 1;
   int base_level = 0;
-  int max_level = 0;            // last level that exists
+  int max_level = 0;  // last level that exists
 };
 
 // The texture environment (3.7.12) as the combiner it always is: the classic environments are
 // expressed with these operations by the derivation, per base format.
 enum class Combine : uint8_t {
-  kReplace, kModulate, kAdd, kAddSigned, kInterpolate, kSubtract, kDot3Rgb, kDot3Rgba
+  kReplace,
+  kModulate,
+  kAdd,
+  kAddSigned,
+  kInterpolate,
+  kSubtract,
+  kDot3Rgb,
+  kDot3Rgba
 };
 enum class CombineSource : uint8_t {
-  kTexture0, kTexture1, kTexture2, kTexture3, kTexture4, kTexture5, kTexture6, kTexture7,
-  kConstant, kPrimaryColour, kPrevious
+  kTexture0,
+  kTexture1,
+  kTexture2,
+  kTexture3,
+  kTexture4,
+  kTexture5,
+  kTexture6,
+  kTexture7,
+  kConstant,
+  kPrimaryColour,
+  kPrevious
 };
 enum class CombineOperand : uint8_t { kColour, kOneMinusColour, kAlpha, kOneMinusAlpha };
 
@@ -145,20 +168,27 @@ struct Combiner {
   Combine rgb = Combine::kReplace;
   Combine alpha = Combine::kReplace;
   std::array<CombineArgument, 3> rgb_argument;
-  std::array<CombineArgument, 3> alpha_argument;  // operand is kAlpha or kOneMinusAlpha
+  std::array<CombineArgument, 3> alpha_argument;     // operand is kAlpha or kOneMinusAlpha
   uint8_t rgb_scale_log2 = 0, alpha_scale_log2 = 0;  // scale 1, 2 or 4
 };
 
 struct TextureUnit {
-  bool enabled = false;         // a complete texture is enabled on this unit
-  ImageRef image;               // all its levels
+  bool enabled = false;  // a complete texture is enabled on this unit
+  ImageRef image;        // all its levels
   Sampler sampler;
   Combiner combiner;
-  Vec4 constant;                // TEXTURE_ENV_COLOR, clamped
+  Vec4 constant;  // TEXTURE_ENV_COLOR, clamped
 };
 
 enum class StencilOp : uint8_t {
-  kKeep, kZero, kReplace, kIncrement, kDecrement, kInvert, kIncrementWrap, kDecrementWrap
+  kKeep,
+  kZero,
+  kReplace,
+  kIncrement,
+  kDecrement,
+  kInvert,
+  kIncrementWrap,
+  kDecrementWrap
 };
 
 struct StencilState {
@@ -169,8 +199,17 @@ struct StencilState {
 };
 
 enum class BlendFactor : uint8_t {
-  kZero, kOne, kSrcColour, kOneMinusSrcColour, kDstColour, kOneMinusDstColour, kSrcAlpha,
-  kOneMinusSrcAlpha, kDstAlpha, kOneMinusDstAlpha, kSrcAlphaSaturate
+  kZero,
+  kOne,
+  kSrcColour,
+  kOneMinusSrcColour,
+  kDstColour,
+  kOneMinusDstColour,
+  kSrcAlpha,
+  kOneMinusSrcAlpha,
+  kDstAlpha,
+  kOneMinusDstAlpha,
+  kSrcAlphaSaturate
 };
 enum class BlendEquation : uint8_t { kAdd, kSubtract, kReverseSubtract, kMin, kMax };
 
@@ -184,8 +223,22 @@ struct BlendState {
 // The sixteen logical operations in the order of their truth tables (4.1.9); bit 0 of the value is
 // the result for s=1,d=1; bit 1 for s=1,d=0; bit 2 for s=0,d=1; bit 3 for s=0,d=0.
 enum class LogicOp : uint8_t {
-  kClear, kAnd, kAndReverse, kCopy, kAndInverted, kNoop, kXor, kOr, kNor, kEquiv, kInvert,
-  kOrReverse, kCopyInverted, kOrInverted, kNand, kSet
+  kClear,
+  kAnd,
+  kAndReverse,
+  kCopy,
+  kAndInverted,
+  kNoop,
+  kXor,
+  kOr,
+  kNor,
+  kEquiv,
+  kInvert,
+  kOrReverse,
+  kCopyInverted,
+  kOrInverted,
+  kNand,
+  kSet
 };
 
 enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
@@ -197,15 +250,15 @@ struct FragmentState {
   Vec4 fog_colour;
   bool alpha_test = false;
   CompareFunc alpha_func = CompareFunc::kAlways;
-  float alpha_reference = 0;    // clamped to [0,1]
+  float alpha_reference = 0;  // clamped to [0,1]
   StencilState stencil;
-  bool depth_test = false;      // false also when the surface has no depth buffer
-  bool depth_write = true;      // takes effect only with depth_test (4.1.5)
+  bool depth_test = false;  // false also when the surface has no depth buffer
+  bool depth_write = true;  // takes effect only with depth_test (4.1.5)
   CompareFunc depth_func = CompareFunc::kLess;
   BlendState blend;
   bool logic_op_enabled = false;
   LogicOp logic_op = LogicOp::kCopy;
-  uint8_t colour_mask = 0xf;    // bits R=1 G=2 B=4 A=8
+  uint8_t colour_mask = 0xf;  // bits R=1 G=2 B=4 A=8
 };
 
 }  // namespace clearpipe::pipeline

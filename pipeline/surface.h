@@ -29,8 +29,8 @@ struct DepthStencilBuffer {
 
 // Allocate with contents of zero (alpha 255 without alpha bits); null when memory does not suffice.
 std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha);
-std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height,
-                                                              bool has_depth, bool has_stencil);
+std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height, bool has_depth,
+                                                              bool has_stencil);
 
 // What a frame renders to. `colour` or `depth_stencil` may be null.
 struct Target {

@@ -44,8 +44,8 @@ class Bins {
   };
 
   TileGrid grid_;
-  std::vector<Entry> entries_;     // in submission order
-  std::vector<uint32_t> start_;    // per tile, its first place in sorted_; one more at the end
+  std::vector<Entry> entries_;   // in submission order
+  std::vector<uint32_t> start_;  // per tile, its first place in sorted_; one more at the end
   std::vector<uint32_t> sorted_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 // coordinate, `limit` the multiple of w that bounds it from the side of `sign`.
 struct ClipPlane {
   int axis = 0;
-  float sign = 1;   // +1: coordinate >= limit * w; -1: coordinate <= limit * w
+  float sign = 1;  // +1: coordinate >= limit * w; -1: coordinate <= limit * w
   float limit = -1;
   int record_offset = -1;  // >= 0: the distance stands in the record (user planes)
 

@@ -58,7 +58,8 @@ class Arena {
 
   void add_block(size_t size) {
     Block block;
-    block.memory.reset(static_cast<std::byte*>(::operator new[](size, std::align_val_t{kAlignment})));
+    block.memory.reset(
+        static_cast<std::byte*>(::operator new[](size, std::align_val_t{kAlignment})));
     block.size = size;
     blocks_.push_back(std::move(block));
     used_ = 0;

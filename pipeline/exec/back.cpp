@@ -11,10 +11,9 @@ namespace {
 
 // Whether a clear sets every bit of every pixel the tile has, so that nothing before it shows.
 bool replaces_tile(const ClearCommand& clear, const Target& target, const Tile& tile) {
-  const bool whole_tile =
-      clear.rect.x0 <= tile.x && clear.rect.y0 <= tile.y &&
-      (clear.rect.x1 >= tile.x + kTileWidth || clear.rect.x1 >= target.width) &&
-      (clear.rect.y1 >= tile.y + kTileHeight || clear.rect.y1 >= target.height);
+  const bool whole_tile = clear.rect.x0 <= tile.x && clear.rect.y0 <= tile.y &&
+                          (clear.rect.x1 >= tile.x + kTileWidth || clear.rect.x1 >= target.width) &&
+                          (clear.rect.y1 >= tile.y + kTileHeight || clear.rect.y1 >= target.height);
   const bool colour = !target.colour || colour_clear_mask(clear) == 0xffffffffu;
   const bool depth_stencil =
       !target.depth_stencil || depth_stencil_clear_mask(clear) == 0xffffffffu;

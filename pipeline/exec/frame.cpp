@@ -108,10 +108,10 @@ struct Frame::Impl {
       // Stands in for clipping at the sides of the view volume. Points and wide lines that lie
       // inside it may reach past the viewport.
       const Viewport& v = raster_state.viewport;
-      bounds = intersect(bounds, {static_cast<int>(v.centre_x - v.scale_x),
-                                  static_cast<int>(v.centre_y - v.scale_y),
-                                  static_cast<int>(v.centre_x + v.scale_x),
-                                  static_cast<int>(v.centre_y + v.scale_y)});
+      bounds = intersect(
+          bounds,
+          {static_cast<int>(v.centre_x - v.scale_x), static_cast<int>(v.centre_y - v.scale_y),
+           static_cast<int>(v.centre_x + v.scale_x), static_cast<int>(v.centre_y + v.scale_y)});
     }
     return bounds;
   }

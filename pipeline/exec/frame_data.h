@@ -42,7 +42,7 @@ struct ProgramHolder {
 // A recorded draw: its command with every pointer good until the frame is done, and its state.
 struct DrawRecord {
   DrawCommand command;
-  uint32_t index_base = 0;             // subtracted from every element index: arrays were copied
+  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
   const VertexState* vertex = nullptr;
   const ProgramHolder* program = nullptr;
   SetupState setup;
@@ -88,8 +88,8 @@ void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const 
 void reset_front_worker(FrontWorker& worker);
 
 // Runs the back phase of one tile.
-void run_back(const std::vector<DrawRecord>& draws, const std::vector<std::unique_ptr<Packet>>& packets,
-              size_t packet_count, const Target& target, const TileGrid& grid, int tile_index,
-              Tile& tile);
+void run_back(const std::vector<DrawRecord>& draws,
+              const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
+              const Target& target, const TileGrid& grid, int tile_index, Tile& tile);
 
 }  // namespace clearpipe::pipeline

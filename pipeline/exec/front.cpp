@@ -10,13 +10,19 @@ namespace clearpipe::pipeline {
 
 uint32_t primitive_count(Primitive primitive, uint32_t count) {
   switch (primitive) {
-    case Primitive::kPoints: return count;
-    case Primitive::kLines: return count / 2;
-    case Primitive::kLineLoop: return count < 2 ? 0 : count;
-    case Primitive::kLineStrip: return count < 2 ? 0 : count - 1;
-    case Primitive::kTriangles: return count / 3;
+    case Primitive::kPoints:
+      return count;
+    case Primitive::kLines:
+      return count / 2;
+    case Primitive::kLineLoop:
+      return count < 2 ? 0 : count;
+    case Primitive::kLineStrip:
+      return count < 2 ? 0 : count - 1;
+    case Primitive::kTriangles:
+      return count / 3;
     case Primitive::kTriangleStrip:
-    case Primitive::kTriangleFan: return count < 3 ? 0 : count - 2;
+    case Primitive::kTriangleFan:
+      return count < 3 ? 0 : count - 2;
   }
   return 0;
 }
@@ -27,14 +33,36 @@ namespace {
 // odd triangles of a strip exchange the first two, so that all have the strip's winding.
 int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t out[3]) {
   switch (primitive) {
-    case Primitive::kPoints: out[0] = p; return 1;
-    case Primitive::kLines: out[0] = 2 * p; out[1] = 2 * p + 1; return 2;
-    case Primitive::kLineLoop: out[0] = p; out[1] = p + 1 == count ? 0 : p + 1; return 2;
-    case Primitive::kLineStrip: out[0] = p; out[1] = p + 1; return 2;
-    case Primitive::kTriangles: out[0] = 3 * p; out[1] = 3 * p + 1; out[2] = 3 * p + 2; return 3;
+    case Primitive::kPoints:
+      out[0] = p;
+      return 1;
+    case Primitive::kLines:
+      out[0] = 2 * p;
+      out[1] = 2 * p + 1;
+      return 2;
+    case Primitive::kLineLoop:
+      out[0] = p;
+      out[1] = p + 1 == count ? 0 : p + 1;
+      return 2;
+    case Primitive::kLineStrip:
+      out[0] = p;
+      out[1] = p + 1;
+      return 2;
+    case Primitive::kTriangles:
+      out[0] = 3 * p;
+      out[1] = 3 * p + 1;
+      out[2] = 3 * p + 2;
+      return 3;
     case Primitive::kTriangleStrip:
-      out[0] = p + (p & 1); out[1] = p + 1 - (p & 1); out[2] = p + 2; return 3;
-    case Primitive::kTriangleFan: out[0] = 0; out[1] = p + 1; out[2] = p + 2; return 3;
+      out[0] = p + (p & 1);
+      out[1] = p + 1 - (p & 1);
+      out[2] = p + 2;
+      return 3;
+    case Primitive::kTriangleFan:
+      out[0] = 0;
+      out[1] = p + 1;
+      out[2] = p + 2;
+      return 3;
   }
   return 0;
 }
@@ -42,7 +70,8 @@ int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t
 uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
   const DrawCommand& command = draw.command;
   switch (command.index_type) {
-    case IndexType::kNone: return command.first + vertex - draw.index_base;
+    case IndexType::kNone:
+      return command.first + vertex - draw.index_base;
     case IndexType::kUnsignedByte:
       return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
     case IndexType::kUnsignedShort: {
@@ -101,14 +130,14 @@ class FrontWorker {
     int corners = 0;
     for (uint32_t i = 0; i < range.primitive_count; ++i) {
       uint32_t vertex[3] = {};
-      corners = primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
+      corners =
+          primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
       for (int k = 0; k < corners; ++k) {
         corner_[3 * i + k] = local_vertex(element_index(draw, vertex[k]));
       }
     }
     const int stride = draw.setup.layout.stride;
-    float* records =
-        static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
+    float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
     VertexJob job;
     job.draw = &draw.command;
     job.state = draw.vertex;

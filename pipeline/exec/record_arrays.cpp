@@ -12,20 +12,27 @@ namespace {
 uint32_t component_bytes(ComponentType type) {
   switch (type) {
     case ComponentType::kByte:
-    case ComponentType::kUnsignedByte: return 1;
-    case ComponentType::kShort: return 2;
+    case ComponentType::kUnsignedByte:
+      return 1;
+    case ComponentType::kShort:
+      return 2;
     case ComponentType::kFixed:
-    case ComponentType::kFloat: return 4;
+    case ComponentType::kFloat:
+      return 4;
   }
   return 4;
 }
 
 uint32_t index_bytes(IndexType type) {
   switch (type) {
-    case IndexType::kNone: return 0;
-    case IndexType::kUnsignedByte: return 1;
-    case IndexType::kUnsignedShort: return 2;
-    case IndexType::kUnsignedInt: return 4;
+    case IndexType::kNone:
+      return 0;
+    case IndexType::kUnsignedByte:
+      return 1;
+    case IndexType::kUnsignedShort:
+      return 2;
+    case IndexType::kUnsignedInt:
+      return 4;
   }
   return 0;
 }
@@ -48,10 +55,14 @@ ElementRange scan_indices(const std::byte* indices, uint32_t count) {
 
 ElementRange used_elements(const DrawCommand& command) {
   switch (command.index_type) {
-    case IndexType::kNone: return {command.first, command.first + (command.count - 1)};
-    case IndexType::kUnsignedByte: return scan_indices<uint8_t>(command.indices, command.count);
-    case IndexType::kUnsignedShort: return scan_indices<uint16_t>(command.indices, command.count);
-    case IndexType::kUnsignedInt: return scan_indices<uint32_t>(command.indices, command.count);
+    case IndexType::kNone:
+      return {command.first, command.first + (command.count - 1)};
+    case IndexType::kUnsignedByte:
+      return scan_indices<uint8_t>(command.indices, command.count);
+    case IndexType::kUnsignedShort:
+      return scan_indices<uint16_t>(command.indices, command.count);
+    case IndexType::kUnsignedInt:
+      return scan_indices<uint32_t>(command.indices, command.count);
   }
   return {};
 }

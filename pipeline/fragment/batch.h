@@ -26,14 +26,14 @@ struct FragmentBatch {
   alignas(64) float s[kBatchSize], t[kBatchSize];
   alignas(64) float lod[kBatchSize];  // log2 of the scale factor rho, before bias and clamping
 
-  alignas(64) int16_t live[kBatchSize];          // -1: the fragment lives; 0: discarded
-  alignas(64) uint16_t offset[kBatchSize];       // index into the tile's planes
-  alignas(64) uint32_t depth[kBatchSize];        // 24-bit depth of the fragment
+  alignas(64) int16_t live[kBatchSize];                   // -1: the fragment lives; 0: discarded
+  alignas(64) uint16_t offset[kBatchSize];                // index into the tile's planes
+  alignas(64) uint32_t depth[kBatchSize];                 // 24-bit depth of the fragment
   alignas(64) uint32_t stored_depth_stencil[kBatchSize];  // gathered from the tile
   alignas(64) uint32_t stored_colour[kBatchSize];
 
   alignas(64) int16_t primary[4][kBatchSize];
-  alignas(64) int16_t previous[4][kBatchSize];   // result of the last texture unit; then the colour
+  alignas(64) int16_t previous[4][kBatchSize];  // result of the last texture unit; then the colour
   alignas(64) int16_t texture[kMaxTextureUnits][4][kBatchSize];
 };
 

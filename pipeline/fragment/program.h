@@ -27,8 +27,8 @@ struct PrimitivePlanes {
   bool flat_colour = false;    // the colour planes are constant: dx = dy = 0 and not divided by w
   Plane depth;                 // window z, [0,1], polygon offset added (clamped per fragment)
   Plane inv_w;
-  Plane fog;                   // fog coordinate
-  Plane colour[4];             // r, g, b, a
+  Plane fog;                           // fog coordinate
+  Plane colour[4];                     // r, g, b, a
   Plane texture[kMaxTextureUnits][4];  // s, t, r, q; set for enabled units
 };
 

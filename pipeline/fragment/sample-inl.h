@@ -2,8 +2,7 @@
 // a vector of fragments, and the level of detail chosen per fragment. Axes are in sample_axis-inl.h.
 //
 // Two arithmetics exist. With REPEAT and CLAMP_TO_EDGE, weights have 8 fraction bits and every
-// interpolation rounds to 8 bits. When an axis mirrors, weights have 15 bits and colours 13.
-// Colours of a fragment travel as two vectors of 16-bit pairs: (red, blue) and (green, alpha).
+// interpolation rounds to 8 bits. When an axis mirrors (kFine), weights have 15 bits and colours 13.
 // SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
@@ -20,62 +19,11 @@
 
 #include "hwy/highway.h"
 #include "pipeline/fragment/sample_axis-inl.h"
+#include "pipeline/fragment/sample_colours-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::sampling {
 namespace HWY_NAMESPACE {
-
-using TagPairs = hn::Repartition<int16_t, TagInt>;
-using TagHalf = hn::Rebind<int16_t, TagInt>;
-using VecPairs = hn::Vec<TagPairs>;
-
-// The colours of a vector of fragments: 8-bit values, or 13 fraction bits (see kFine below).
-struct Colours {
-  VecPairs rb, ga;
-};
-
-HWY_INLINE Colours unpack(VecInt texels) {
-  const TagInt di;
-  const TagPairs dp;
-  const VecInt mask = hn::Set(di, 0x00ff00ff);
-  return {hn::BitCast(dp, hn::And(texels, mask)),
-          hn::BitCast(dp, hn::And(hn::ShiftRight<8>(texels), mask))};
-}
-
-HWY_INLINE VecPairs widen(VecPairs v) {
-  return hn::Add(hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(v)), hn::ShiftRight<7>(v));
-}
-
-HWY_INLINE Colours widen(Colours c) { return {widen(c.rb), widen(c.ga)}; }
-
-// The same 16-bit weight in both halves of a fragment's 32 bits.
-HWY_INLINE VecPairs spread(VecInt weight) {
-  return hn::BitCast(TagPairs(), hn::Or(weight, hn::ShiftLeft<16>(weight)));
-}
-
-// a + weight * (b - a), rounded to nearest. The difference of 8-bit values is moved up by 7 bits, so
-// that an 8-bit weight meets it in the 15-bit product.
-template <bool kFine>
-HWY_INLINE VecPairs lerp(VecPairs weight, VecPairs a, VecPairs b) {
-  const VecPairs delta = hn::Sub(b, a);
-  if constexpr (kFine) {
-    return hn::Add(a, hn::MulFixedPoint15(weight, delta));
-  } else {
-    return hn::Add(a, hn::MulFixedPoint15(weight, hn::ShiftLeft<7>(delta)));
-  }
-}
-
-template <bool kFine>
-HWY_INLINE Colours lerp(VecPairs weight, const Colours& a, const Colours& b) {
-  return {lerp<kFine>(weight, a.rb, b.rb), lerp<kFine>(weight, a.ga, b.ga)};
-}
-
-HWY_INLINE Colours select(hn::Mask<TagInt> mask, const Colours& yes, const Colours& no) {
-  const TagInt di;
-  const TagPairs dp;
-  return {hn::BitCast(dp, hn::IfThenElse(mask, hn::BitCast(di, yes.rb), hn::BitCast(di, no.rb))),
-          hn::BitCast(dp, hn::IfThenElse(mask, hn::BitCast(di, yes.ga), hn::BitCast(di, no.ga)))};
-}
 
 HWY_INLINE VecInt gather(const SampleLevel& level, VecInt index) {
   return hn::GatherIndex(TagInt(), reinterpret_cast<const int32_t*>(level.texels), index);
@@ -114,24 +62,18 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
     c01 = widen(c01);
     c11 = widen(c11);
   }
-  const VecPairs a = spread(x.weight);
-  const VecPairs b = spread(y.weight);
+  const Weight a = spread(x.weight);
+  const Weight b = spread(y.weight);
   return lerp<kFine>(b, lerp<kFine>(a, c00, c10), lerp<kFine>(a, c01, c11));
 }
 
 template <bool kFine>
-HWY_INLINE void store(const Colours& colours, FragmentBatch& batch, int unit, size_t i) {
-  const TagInt di;
-  const TagHalf dh;
-  Colours c = colours;
-  if constexpr (!kFine) c = widen(c);
-  const VecInt rb = hn::BitCast(di, c.rb);
-  const VecInt ga = hn::BitCast(di, c.ga);
-  const VecInt low = hn::Set(di, 0xffff);
-  hn::StoreU(hn::DemoteTo(dh, hn::And(rb, low)), dh, batch.texture[unit][0] + i);
-  hn::StoreU(hn::DemoteTo(dh, hn::And(ga, low)), dh, batch.texture[unit][1] + i);
-  hn::StoreU(hn::DemoteTo(dh, hn::ShiftRight<16>(rb)), dh, batch.texture[unit][2] + i);
-  hn::StoreU(hn::DemoteTo(dh, hn::ShiftRight<16>(ga)), dh, batch.texture[unit][3] + i);
+HWY_INLINE void store(const Colours& c, FragmentBatch& batch, int unit, size_t i) {
+  if constexpr (kFine) {
+    store_colours(c, batch.texture[unit], i);
+  } else {
+    store_colours(widen(c), batch.texture[unit], i);
+  }
 }
 
 // One level and one filter for the whole batch.
@@ -196,10 +138,9 @@ template <class Axes, bool kFine>
 HWY_INLINE Colours sample_keys(const SampleState& state, const Axes& axes, VecInt key,
                                hn::Mask<TagInt> wanted, VecFloat s, VecFloat t) {
   const TagInt di;
-  const TagPairs dp;
   HWY_ALIGN int32_t keys[hn::MaxLanes(TagInt())];
   hn::Store(key, di, keys);
-  Colours result{hn::Zero(dp), hn::Zero(dp)};
+  Colours result = no_colours();
   for (intptr_t i = hn::FindFirstTrue(di, wanted); i >= 0; i = hn::FindFirstTrue(di, wanted)) {
     const int32_t k = keys[i];
     const SampleLevel& level = state.levels[state.first_level + (k >> 1)];

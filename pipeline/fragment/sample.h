@@ -18,8 +18,8 @@ struct SampleState {
   SampleLevel levels[kMaxLevels];
   int first_level = 0, last_level = 0;
   Sampler sampler;
-  bool needs_lod = false;      // minification and magnification differ, or mipmaps are used
-  float lod_threshold = 0;     // c: magnification when lod <= c (3.7.8)
+  bool needs_lod = false;   // minification and magnification differ, or mipmaps are used
+  float lod_threshold = 0;  // c: magnification when lod <= c (3.7.8)
 };
 
 SampleState make_sample_state(const TextureUnit& unit);

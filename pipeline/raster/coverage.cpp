@@ -66,11 +66,16 @@ void CoverRows(const TileEdges& edges, int first_column, int end_column, int fir
 void CoverAllRows(const TileEdges& edges, int first_column, int end_column, int first_row,
                   int end_row, uint64_t* rows) {
   switch (edges.count) {
-    case 1: return CoverRows<1>(edges, first_column, end_column, first_row, end_row, rows);
-    case 2: return CoverRows<2>(edges, first_column, end_column, first_row, end_row, rows);
-    case 3: return CoverRows<3>(edges, first_column, end_column, first_row, end_row, rows);
-    case 4: return CoverRows<4>(edges, first_column, end_column, first_row, end_row, rows);
-    default: std::fill(rows + first_row, rows + end_row, ~uint64_t{0});
+    case 1:
+      return CoverRows<1>(edges, first_column, end_column, first_row, end_row, rows);
+    case 2:
+      return CoverRows<2>(edges, first_column, end_column, first_row, end_row, rows);
+    case 3:
+      return CoverRows<3>(edges, first_column, end_column, first_row, end_row, rows);
+    case 4:
+      return CoverRows<4>(edges, first_column, end_column, first_row, end_row, rows);
+    default:
+      std::fill(rows + first_row, rows + end_row, ~uint64_t{0});
   }
 }
 
@@ -102,8 +107,8 @@ TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile
   edges.count = 0;
   for (int i = 0; i < primitive.edge_count; ++i) {
     const Edge& edge = primitive.edges[i];
-    const int64_t corner = edge.c + static_cast<int64_t>(edge.a) * tile_x +
-                           static_cast<int64_t>(edge.b) * tile_y;
+    const int64_t corner =
+        edge.c + static_cast<int64_t>(edge.a) * tile_x + static_cast<int64_t>(edge.b) * tile_y;
     const int32_t across = edge.a * (kTileWidth - 1);
     const int32_t up = edge.b * (kTileHeight - 1);
     const int64_t least = corner + std::min(across, 0) + std::min(up, 0);

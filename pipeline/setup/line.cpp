@@ -22,7 +22,7 @@ float from_centre(float v) { return v - std::floor(v) - 0.5f; }
 // An end point as the diamond-exit rule sees it: its place in its pixel, whose diamond is
 // |x - centre| + |y - centre| < 1/2.
 struct EndPoint {
-  float major, minor;    // offset from the centre of its pixel, [-0.5, 0.5)
+  float major, minor;  // offset from the centre of its pixel, [-0.5, 0.5)
   bool inside_diamond;
 
   explicit EndPoint(const Point& p)

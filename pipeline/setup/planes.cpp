@@ -108,8 +108,8 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
     return basis.plane(v[0][offset] * scale[0], v[1][offset] * scale[1], v[2][offset] * scale[2]);
   };
   if (state.inputs.colour) {
-    const int offset = p.back_facing && state.two_sided ? state.layout.back_colour_offset
-                                                        : vertex_record::kColour;
+    const int offset =
+        p.back_facing && state.two_sided ? state.layout.back_colour_offset : vertex_record::kColour;
     out.flat_colour = state.raster.flat_shade || p.kind == PrimitiveKind::kPoint;
     for (int i = 0; i < 4; ++i) {
       out.colour[i] = out.flat_colour ? Plane{provoking[offset + i], 0, 0} : varying(offset + i);

@@ -20,11 +20,11 @@ enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle, kRectangle };
 struct SetupState {
   RasterState raster;
   VertexLayout layout;
-  Rect bounds;              // pixels that may be touched: scissor and surface, and for triangles
-                            // the viewport, which stands in for clipping inside the guard band
+  Rect bounds;  // pixels that may be touched: scissor and surface, and for triangles
+                // the viewport, which stands in for clipping inside the guard band
   FragmentInputs inputs;
-  int mirror_height = 0;    // > 0: record y counts down from the top of a surface this high
-  bool two_sided = false;   // back colour at layout.back_colour_offset
+  int mirror_height = 0;   // > 0: record y counts down from the top of a surface this high
+  bool two_sided = false;  // back colour at layout.back_colour_offset
 };
 
 struct PrimitiveRecord {
@@ -32,10 +32,10 @@ struct PrimitiveRecord {
   Edge edges[4];
   // Pixels that may be covered, inside SetupState::bounds; half-open.
   int16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  float size = 0;               // points: the size used; lines: +1 x-major, -1 y-major
-  uint32_t draw = 0;            // index of the draw in the frame
+  float size = 0;     // points: the size used; lines: +1 x-major, -1 y-major
+  uint32_t draw = 0;  // index of the draw in the frame
   PrimitiveKind kind = PrimitiveKind::kTriangle;
-  uint8_t edge_count = 0;       // 0: the whole box is covered
+  uint8_t edge_count = 0;  // 0: the whole box is covered
   bool back_facing = false;
 };
 

@@ -15,23 +15,24 @@ bool setup_triangle(const SetupState& state, const float* v0, const float* v1, c
     out.vertex[i] = vertices[i];
   }
   // Equation 3.4: the sign of the area decides the facing; no area, no pixels.
-  const int64_t area = static_cast<int64_t>(corners[1].x - corners[0].x) *
-                           (corners[2].y - corners[0].y) -
-                       static_cast<int64_t>(corners[2].x - corners[0].x) *
-                           (corners[1].y - corners[0].y);
+  const int64_t area =
+      static_cast<int64_t>(corners[1].x - corners[0].x) * (corners[2].y - corners[0].y) -
+      static_cast<int64_t>(corners[2].x - corners[0].x) * (corners[1].y - corners[0].y);
   if (area == 0) {
     return false;
   }
   const bool front = (area < 0) == state.raster.front_is_clockwise;
   switch (state.raster.cull) {
-    case CullFace::kNone: break;
+    case CullFace::kNone:
+      break;
     case CullFace::kFront:
       if (front) return false;
       break;
     case CullFace::kBack:
       if (!front) return false;
       break;
-    case CullFace::kFrontAndBack: return false;
+    case CullFace::kFrontAndBack:
+      return false;
   }
   out.kind = PrimitiveKind::kTriangle;
   out.back_facing = !front;

@@ -40,16 +40,19 @@ template <typename T>
 void gather_sized(const AttributeSource& source, const uint32_t* elements, size_t count,
                   Lane* out) {
   switch (source.size) {
-    case 1: return gather_components<T, 1>(source, elements, count, out);
-    case 2: return gather_components<T, 2>(source, elements, count, out);
-    case 3: return gather_components<T, 3>(source, elements, count, out);
-    default: return gather_components<T, 4>(source, elements, count, out);
+    case 1:
+      return gather_components<T, 1>(source, elements, count, out);
+    case 2:
+      return gather_components<T, 2>(source, elements, count, out);
+    case 3:
+      return gather_components<T, 3>(source, elements, count, out);
+    default:
+      return gather_components<T, 4>(source, elements, count, out);
   }
 }
 
 // (factor * c + offset) / divisor, the conversions of table 2.7.
-HWY_INLINE void convert_lane(float* lane, size_t count, float factor, float offset,
-                             float divisor) {
+HWY_INLINE void convert_lane(float* lane, size_t count, float factor, float offset, float divisor) {
   const hn::ScalableTag<float> d;
   const auto scale = hn::Set(d, factor), add = hn::Set(d, offset), divide = hn::Set(d, divisor);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -67,15 +70,25 @@ HWY_INLINE void fetch_array(const AttributeSource& source, const uint32_t* eleme
   switch (source.type) {
     case ComponentType::kByte:
       gather_sized<int8_t>(source, elements, count, out);
-      if (source.normalized) { factor = 2; offset = 1; divisor = 255; }
+      if (source.normalized) {
+        factor = 2;
+        offset = 1;
+        divisor = 255;
+      }
       break;
     case ComponentType::kUnsignedByte:
       gather_sized<uint8_t>(source, elements, count, out);
-      if (source.normalized) { divisor = 255; }
+      if (source.normalized) {
+        divisor = 255;
+      }
       break;
     case ComponentType::kShort:
       gather_sized<int16_t>(source, elements, count, out);
-      if (source.normalized) { factor = 2; offset = 1; divisor = 65535; }
+      if (source.normalized) {
+        factor = 2;
+        offset = 1;
+        divisor = 65535;
+      }
       break;
     case ComponentType::kFixed:
       gather_sized<int32_t>(source, elements, count, out);

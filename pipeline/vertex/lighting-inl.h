@@ -72,8 +72,7 @@ struct Incidence {
 // 1 / (k0 + k1 dist + k2 dist^2), equation 2.4.
 HWY_INLINE FloatVector attenuation(FloatTag d, const Light& light, FloatVector distance) {
   const auto linear = hn::Mul(hn::Set(d, light.attenuation[1]), distance);
-  const auto quadratic =
-      hn::Mul(hn::Set(d, light.attenuation[2]), hn::Mul(distance, distance));
+  const auto quadratic = hn::Mul(hn::Set(d, light.attenuation[2]), hn::Mul(distance, distance));
   const auto sum = hn::Add(hn::Add(hn::Set(d, light.attenuation[0]), linear), quadratic);
   return hn::Div(hn::Set(d, 1.0f), sum);
 }
@@ -162,8 +161,7 @@ HWY_INLINE void store_colour(FloatTag d, const Rgb& colour, FloatVector alpha, s
 // Lights `count` vertices. `current` is the vertex colour, read with colour material only;
 // `back_colour` is written with two-sided lighting only.
 HWY_INLINE void light_vertices(const VertexState& state, const Lane* eye, const Lane* normals,
-                               const Lane* current, size_t count, Lane* colour,
-                               Lane* back_colour) {
+                               const Lane* current, size_t count, Lane* colour, Lane* back_colour) {
   const FloatTag d;
   const Material& m = state.material;
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {

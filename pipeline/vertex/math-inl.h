@@ -141,9 +141,8 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log2(D d, V x) {
   return in_double(
       d,
-      [](auto wide, auto half, auto a, auto) HWY_ATTR {
-        return hn::DemoteTo(half, log2_wide(wide, half, a));
-      },
+      [](auto wide, auto half, auto a, auto)
+          HWY_ATTR { return hn::DemoteTo(half, log2_wide(wide, half, a)); },
       x, x);
 }
 
@@ -152,9 +151,8 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V exp2(D d, V x) {
   return in_double(
       d,
-      [](auto wide, auto half, auto a, auto) HWY_ATTR {
-        return exp2_wide(wide, half, hn::PromoteTo(wide, a));
-      },
+      [](auto wide, auto half, auto a, auto)
+          HWY_ATTR { return exp2_wide(wide, half, hn::PromoteTo(wide, a)); },
       x, x);
 }
 

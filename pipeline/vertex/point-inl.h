@@ -28,8 +28,8 @@ HWY_INLINE void fog_coordinate(const float* eye_z, size_t count, float* fog) {
 // derived = clamp(size / sqrt(a + b d + c d^2)), d the eye distance; fade = (derived /
 // threshold)^2 where derived is below the threshold, else 1 (equation 3.2). Whether a faded point
 // is also widened to the threshold is the rasterizer's question: only multisampling does it.
-HWY_INLINE void derive_point_size(const VertexState& state, const float* requested,
-                                  const Lane* eye, size_t count, float* derived, float* fade) {
+HWY_INLINE void derive_point_size(const VertexState& state, const float* requested, const Lane* eye,
+                                  size_t count, float* derived, float* fade) {
   const hn::ScalableTag<float> d;
   const auto one = hn::Set(d, 1.0f);
   const auto smallest = hn::Set(d, state.point_size_min);
@@ -46,8 +46,7 @@ HWY_INLINE void derive_point_size(const VertexState& state, const float* request
       const auto z = hn::Load(d, eye[2] + i);
       const auto square = dot3(x, y, z, x, y, z);
       const auto distance = hn::Sqrt(square);
-      const auto factor =
-          hn::Add(hn::Add(a, hn::Mul(b, distance)), hn::Mul(c, square));
+      const auto factor = hn::Add(hn::Add(a, hn::Mul(b, distance)), hn::Mul(c, square));
       size = hn::Div(size, hn::Sqrt(factor));
     }
     size = at_most(at_least(size, smallest), largest);

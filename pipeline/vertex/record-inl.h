@@ -53,8 +53,8 @@ HWY_INLINE void store_records(const VertexState& state, const VertexLayout& layo
   store_group(batch.colour, count, records + vertex_record::kColour, stride);
   for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
     if ((layout.texture_units >> unit & 1) != 0) {
-      store_group(texture_lanes(state, batch, unit), count,
-                  records + layout.texture_offset[unit], stride);
+      store_group(texture_lanes(state, batch, unit), count, records + layout.texture_offset[unit],
+                  stride);
     }
   }
   if (layout.back_colour_offset != 0) {

@@ -17,8 +17,7 @@ namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 
 // The lanes that hold unit's final coordinates: those fetched when its matrix is the identity,
 // else the batch's own, which transform_texture_coordinates fills.
-HWY_INLINE const Lane* texture_lanes(const VertexState& state, const VertexBatch& batch,
-                                     int unit) {
+HWY_INLINE const Lane* texture_lanes(const VertexState& state, const VertexBatch& batch, int unit) {
   return (state.texture_matrix >> unit & 1) != 0
              ? batch.texture[unit]
              : batch.attribute[static_cast<int>(Attribute::kTexCoord0) + unit];

@@ -27,22 +27,22 @@ struct alignas(64) VertexBatch {
   Lane normal[3];                      // in eye coordinates, as lighting uses it
   Lane colour[4];                      // primary colour, in [0,1]
   Lane back_colour[4];
-  Lane window[4];                      // x, y, z, 1/w
-  Lane texture[kMaxTextureUnits][4];   // coordinates after the texture matrix
+  Lane window[4];                     // x, y, z, 1/w
+  Lane texture[kMaxTextureUnits][4];  // coordinates after the texture matrix
   Lane clip_distance[kMaxClipPlanes];
   // Stored as one group of four per vertex, in the order of the record.
-  Lane outcode;                        // bits of Outcode in the bits of the float
+  Lane outcode;  // bits of Outcode in the bits of the float
   Lane point_size;
   Lane fog;
   Lane point_alpha;
 };
 
 struct VertexPlan {
-  uint32_t attributes = 0;   // bit per Attribute that some stage reads
+  uint32_t attributes = 0;  // bit per Attribute that some stage reads
   bool eye_position = false;
-  bool eye_z = false;        // only the eye z coordinate is needed
+  bool eye_z = false;  // only the eye z coordinate is needed
   bool normal = false;
-  bool points = false;       // the primitive is a point, so its size matters
+  bool points = false;  // the primitive is a point, so its size matters
 };
 
 VertexPlan make_vertex_plan(const DrawCommand& draw, const VertexState& state);

@@ -75,8 +75,7 @@ void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_
   const Lane* current = attribute(Attribute::kColour);
   if (state.lighting) {
     transform_normal(state, attribute(Attribute::kNormal), count, batch.normal);
-    light_vertices(state, batch.eye, batch.normal, current, count, batch.colour,
-                   batch.back_colour);
+    light_vertices(state, batch.eye, batch.normal, current, count, batch.colour, batch.back_colour);
   } else {
     clamp_colour(current, count, batch.colour);
   }

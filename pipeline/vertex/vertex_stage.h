@@ -16,52 +16,56 @@ namespace clearpipe::pipeline {
 
 // Offsets, in floats, of a vertex record. Texture coordinates (s,t,r,q) of the units in
 // VertexState::texture_units follow kTexture in unit order, four floats each, then, with two-sided
-// lighting, the back colour and, with user clip planes, eight clip distances (plane . eye position).
+// lighting, the back colour and, with user clip planes, eight clip distances (plane . eye
+// position).
 namespace vertex_record {
-inline constexpr int kClip = 0;        // clip coordinates x, y, z, w (2.10)
-inline constexpr int kWindow = 4;      // window x, y, z in [0,1], and 1/w_clip
-inline constexpr int kOutcode = 8;     // bits of Outcode, as an integer
-inline constexpr int kPointSize = 9;   // derived size before clamping to the supported range (3.3)
-inline constexpr int kFog = 10;        // fog coordinate, |eye z| (3.8)
-inline constexpr int kPointAlpha = 11; // fade factor of a point smaller than the threshold, else 1
-inline constexpr int kColour = 12;     // primary colour, clamped to [0,1] (2.12.8)
+inline constexpr int kClip = 0;         // clip coordinates x, y, z, w (2.10)
+inline constexpr int kWindow = 4;       // window x, y, z in [0,1], and 1/w_clip
+inline constexpr int kOutcode = 8;      // bits of Outcode, as an integer
+inline constexpr int kPointSize = 9;    // derived size before clamping to the supported range (3.3)
+inline constexpr int kFog = 10;         // fog coordinate, |eye z| (3.8)
+inline constexpr int kPointAlpha = 11;  // fade factor of a point smaller than the threshold, else 1
+inline constexpr int kColour = 12;      // primary colour, clamped to [0,1] (2.12.8)
 inline constexpr int kTexture = 16;
 }  // namespace vertex_record
 
 struct VertexLayout {
-  uint8_t texture_units = 0;                   // bit u
+  uint8_t texture_units = 0;                      // bit u
   uint8_t texture_offset[kMaxTextureUnits] = {};  // floats from the record's start
-  uint8_t back_colour_offset = 0;              // 0: none
-  uint8_t clip_distance_offset = 0;            // 0: none; else eight floats, one per user plane
-  uint8_t stride = vertex_record::kTexture;    // floats per record, a multiple of 4
+  uint8_t back_colour_offset = 0;                 // 0: none
+  uint8_t clip_distance_offset = 0;               // 0: none; else eight floats, one per user plane
+  uint8_t stride = vertex_record::kTexture;       // floats per record, a multiple of 4
 };
 
 VertexLayout make_vertex_layout(const VertexState& state);
 
 // Which planes a vertex is outside of. User clip plane i is kOutcodeUser << i.
 enum Outcode : uint32_t {
-  kOutcodeLeft = 1u << 0, kOutcodeRight = 1u << 1,      // x < -w, x > w
-  kOutcodeBottom = 1u << 2, kOutcodeTop = 1u << 3,
-  kOutcodeNear = 1u << 4, kOutcodeFar = 1u << 5,
-  kOutcodeGuard = 1u << 6,                              // outside the guard band in x or y, or w <= 0
+  kOutcodeLeft = 1u << 0,
+  kOutcodeRight = 1u << 1,  // x < -w, x > w
+  kOutcodeBottom = 1u << 2,
+  kOutcodeTop = 1u << 3,
+  kOutcodeNear = 1u << 4,
+  kOutcodeFar = 1u << 5,
+  kOutcodeGuard = 1u << 6,  // outside the guard band in x or y, or w <= 0
   kOutcodeUser = 1u << 8,
 };
 
-// The guard band in clip space: a vertex is inside when |x - 0| <= scale_x * w etc. Derived from the
-// viewport so that window coordinates inside it fit the fixed-point range of raster/.
+// The guard band in clip space: a vertex is inside when |x - 0| <= scale_x * w etc. Derived from
+// the viewport so that window coordinates inside it fit the fixed-point range of raster/.
 struct GuardBand {
   float x_min = -1, x_max = 1, y_min = -1, y_max = 1;  // multiples of w
 };
 
 struct VertexJob {
-  const DrawCommand* draw = nullptr;    // attribute sources
+  const DrawCommand* draw = nullptr;  // attribute sources
   const VertexState* state = nullptr;
   Viewport viewport;
   GuardBand guard;
   VertexLayout layout;
-  const uint32_t* elements = nullptr;   // element index of each vertex
+  const uint32_t* elements = nullptr;  // element index of each vertex
   size_t count = 0;
-  float* records = nullptr;             // out: count * layout.stride, 64-byte aligned
+  float* records = nullptr;  // out: count * layout.stride, 64-byte aligned
 };
 
 // Runs every vertex stage on the job with the SIMD target in use.
