@@ -29,7 +29,7 @@ struct VertexTestKernels {
   void (*power)(const float* x, const float* y, size_t count, float* out);
 };
 
-// Calls `body(kernels, name)` once per target this processor has, slowest or fastest first alike;
+// Calls `body(kernels, name)` once per target this processor has;
 // while it runs, every kernel table of the program resolves to that target. Returns how many ran.
 int for_each_target(
     const std::function<void(const VertexTestKernels& kernels, const char* name)>& body);
