@@ -1,9 +1,10 @@
 // Texture filtering on one SIMD target (3.7.7 to 3.7.9): texels of a level fetched and weighted for
-// a vector of fragments, and the level of detail chosen per fragment. Axes are in sample_axis-inl.h.
+// a vector of fragments, and the level of detail chosen per fragment. Axes are in
+// sample_axis-inl.h.
 //
 // Two arithmetics exist. With REPEAT and CLAMP_TO_EDGE, weights have 8 fraction bits and every
-// interpolation rounds to 8 bits. When an axis mirrors (kFine), weights have 15 bits and colours 13.
-// SPDX-License-Identifier: MIT
+// interpolation rounds to 8 bits. When an axis mirrors (kFine), weights have 15 bits and
+// colours 13. SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
 #include <cstdint>
@@ -124,8 +125,7 @@ HWY_INLINE LevelChoice choose_level(const SampleState& state, VecFloat lod) {
   }
   VecInt key = hn::Add(level, level);
   if (state.sampler.min != state.sampler.mag) {
-    const auto magnified =
-        hn::RebindMask(di, hn::Le(lambda, hn::Set(df, state.lod_threshold)));
+    const auto magnified = hn::RebindMask(di, hn::Le(lambda, hn::Set(df, state.lod_threshold)));
     key = hn::IfThenElse(magnified, hn::Set(di, 1), key);
     weight = hn::IfThenZeroElse(magnified, weight);
   }
@@ -135,8 +135,8 @@ HWY_INLINE LevelChoice choose_level(const SampleState& state, VecFloat lod) {
 // Samples the fragments of `wanted`, one pass for each distinct key among them. A fragment's result
 // depends on its own key alone.
 template <class Axes, bool kFine>
-HWY_INLINE Colours sample_keys(const SampleState& state, const Axes& axes, VecInt key,
-                               hn::Mask<TagInt> wanted, VecFloat s, VecFloat t) {
+HWY_NOINLINE Colours sample_keys(const SampleState& state, const Axes& axes, VecInt key,
+                                 hn::Mask<TagInt> wanted, VecFloat s, VecFloat t) {
   const TagInt di;
   HWY_ALIGN int32_t keys[hn::MaxLanes(TagInt())];
   hn::Store(key, di, keys);

@@ -36,8 +36,8 @@ SampleState make_sample_state(const TextureUnit& unit) {
   state.last_level = state.first_level;
   state.levels[state.first_level] = {&kBlack, 1, 1};
   if (unit.image != nullptr) {
-    const int stored = static_cast<int>(
-        std::min(unit.image->levels.size(), static_cast<size_t>(kMaxLevels)));
+    const int stored =
+        static_cast<int>(std::min(unit.image->levels.size(), static_cast<size_t>(kMaxLevels)));
     const int wanted = sampler.mip == MipFilter::kNone
                            ? state.first_level
                            : std::max(sampler.max_level, state.first_level);

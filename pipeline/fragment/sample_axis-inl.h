@@ -1,8 +1,8 @@
 // One texture coordinate to texel indices and a weight, on one SIMD target: the wrap modes of 3.7.6
 // and the equations for i and alpha of 3.7.8, each axis by itself.
 //
-// Every index lies inside the level for any float whatever: values are limited as floats before they
-// become integers, because a conversion out of range differs between processors. Ordinary
+// Every index lies inside the level for any float whatever: values are limited as floats before
+// they become integers, because a conversion out of range differs between processors. Ordinary
 // coordinates are untouched by the limits.
 // SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
@@ -150,8 +150,7 @@ HWY_INLINE LinearAxis linear_axis(VecFloat s, int size) {
   } else if constexpr (kWrap == WrapKind::kRepeatOther) {
     const VecInt fixed = hn::Sub(round_to_int(hn::Mul(fraction(s), scale)), half);
     const VecInt whole = hn::ShiftRight<8>(fixed);
-    const VecInt first =
-        hn::Min(hn::IfThenElse(hn::Lt(whole, hn::Zero(di)), last, whole), last);
+    const VecInt first = hn::Min(hn::IfThenElse(hn::Lt(whole, hn::Zero(di)), last, whole), last);
     const VecInt second = hn::IfThenZeroElse(hn::Eq(first, last), hn::Add(first, one));
     return {first, second, hn::And(fixed, fraction_mask)};
   } else {
@@ -192,8 +191,7 @@ HWY_INLINE LinearAxis fine_linear_axis(VecFloat s, int size) {
     const VecInt first = hn::And(whole, last);
     return {first, hn::And(hn::Add(first, one), last), weight};
   } else if constexpr (kWrap == WrapKind::kRepeatOther) {
-    const VecInt first =
-        hn::Min(hn::IfThenElse(hn::Lt(whole, hn::Zero(di)), last, whole), last);
+    const VecInt first = hn::Min(hn::IfThenElse(hn::Lt(whole, hn::Zero(di)), last, whole), last);
     return {first, hn::IfThenZeroElse(hn::Eq(first, last), hn::Add(first, one)), weight};
   } else {
     return {hn::Min(hn::Max(whole, hn::Zero(di)), last), hn::Min(hn::Add(whole, one), last),

@@ -103,9 +103,8 @@ int wrapped(Wrap wrap, int64_t i, int size) {
 using Colour = std::array<double, 4>;  // 0 to 255
 
 Colour texel_of(const ImageLevel& level, int x, int y) {
-  const uint32_t t =
-      level.texels[static_cast<size_t>(y) * static_cast<size_t>(level.width) +
-                   static_cast<size_t>(x)];
+  const uint32_t t = level.texels[static_cast<size_t>(y) * static_cast<size_t>(level.width) +
+                                  static_cast<size_t>(x)];
   return {double(t & 255), double((t >> 8) & 255), double((t >> 16) & 255), double(t >> 24)};
 }
 
@@ -130,9 +129,8 @@ Colour level_oracle(const ImageLevel& level, const Sampler& sampler, Filter filt
   }
   const double i = std::floor(u - 0.5), j = std::floor(v - 0.5);
   const auto at = [&](int di, int dj) {
-    return texel_of(
-        level, wrapped(sampler.wrap_s, static_cast<int64_t>(i) + di, level.width),
-        wrapped(sampler.wrap_t, static_cast<int64_t>(j) + dj, level.height));
+    return texel_of(level, wrapped(sampler.wrap_s, static_cast<int64_t>(i) + di, level.width),
+                    wrapped(sampler.wrap_t, static_cast<int64_t>(j) + dj, level.height));
   };
   const double a = u - 0.5 - i, b = v - 0.5 - j;
   return mix(b, mix(a, at(0, 0), at(1, 0)), mix(a, at(0, 1), at(1, 1)));
@@ -239,11 +237,10 @@ TEST(Sample, FollowsTheEquations) {
         FragmentBatch input;
         fill(input, *image, random, kBatchSize);
         const auto output = sampled(unit, input);
-        const bool fine = sampler.wrap_s == Wrap::kMirroredRepeat ||
-                          sampler.wrap_t == Wrap::kMirroredRepeat;
+        const bool fine =
+            sampler.wrap_s == Wrap::kMirroredRepeat || sampler.wrap_t == Wrap::kMirroredRepeat;
         const bool levels = sampler.mip == MipFilter::kLinear;
-        const bool linear =
-            sampler.min == Filter::kLinear || sampler.mag == Filter::kLinear;
+        const bool linear = sampler.min == Filter::kLinear || sampler.mag == Filter::kLinear;
         double same_weights = 0.04, pure = 0.04;
         if (fine) {
           same_weights = pure = linear || levels ? 0.15 : 0.04;
@@ -313,10 +310,10 @@ TEST(Sample, AllTargetsAgreeToTheBit) {
       std::uniform_real_distribution<float> coordinate(-20, 20), lod(-2, 9);
       for (int i = 0; i < kBatchSize; ++i) {
         // Half of them at exact eighths of a texel, where rounding has ties.
-        input.s[i] = i % 2 ? coordinate(random)
-                           : std::floor(coordinate(random) * 8) / 512 / float(size[0]);
-        input.t[i] = i % 2 ? coordinate(random)
-                           : std::floor(coordinate(random) * 8) / 512 / float(size[1]);
+        input.s[i] =
+            i % 2 ? coordinate(random) : std::floor(coordinate(random) * 8) / 512 / float(size[0]);
+        input.t[i] =
+            i % 2 ? coordinate(random) : std::floor(coordinate(random) * 8) / 512 / float(size[1]);
         input.lod[i] = lod(random);
       }
       std::unique_ptr<FragmentBatch> first;
@@ -326,8 +323,7 @@ TEST(Sample, AllTargetsAgreeToTheBit) {
         if (first == nullptr) {
           first = std::move(output);
         } else {
-          EXPECT_TRUE(same_colours(*first, *output))
-              << describe(sampler, image->levels[0], target);
+          EXPECT_TRUE(same_colours(*first, *output)) << describe(sampler, image->levels[0], target);
         }
       }
     });
@@ -337,9 +333,11 @@ TEST(Sample, AllTargetsAgreeToTheBit) {
 TEST(Sample, HostileCoordinatesStayInsideAndAgree) {
   const float inf = std::numeric_limits<float>::infinity();
   const std::vector<float> hostile = {
-      0.0f,   -0.0f,   1.0f,     -1.0f,  std::nanf(""), inf,    -inf,   1e30f,
-      -1e30f, 1e10f,   -1e10f,   8388607.5f, -8388608.0f, 16777216.0f, 1e-40f, -1e-40f,
-      -1e-9f, 0.99999994f, 1.0000001f, std::numeric_limits<float>::max(), 3e7f, -3e7f, 2147483648.0f};
+      0.0f,    -0.0f,      1.0f,         -1.0f,       std::nanf(""),
+      inf,     -inf,       1e30f,        -1e30f,      1e10f,
+      -1e10f,  8388607.5f, -8388608.0f,  16777216.0f, 1e-40f,
+      -1e-40f, -1e-9f,     0.99999994f,  1.0000001f,  std::numeric_limits<float>::max(),
+      3e7f,    -3e7f,      2147483648.0f};
   const std::vector<int64_t> targets = targets_of_machine();
   for (const auto& size : kSizes) {
     const ImageRef image = random_image(size[0], size[1], 29);
