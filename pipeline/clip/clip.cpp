@@ -12,8 +12,7 @@ namespace clearpipe::pipeline {
 
 namespace {
 
-// A clip plane as a signed distance, linear in clip space: inside is >= 0. `axis` selects the
-// coordinate, `limit` the multiple of w that bounds it from the side of `sign`.
+// A clip plane as a signed distance, linear in clip space: inside is >= 0.
 struct ClipPlane {
   int axis = 0;
   float sign = 1;  // +1: coordinate >= limit * w; -1: coordinate <= limit * w
@@ -29,26 +28,27 @@ struct ClipPlane {
   }
 };
 
+// In the reference's order, so that the corners come out as its corners do.
 int collect_planes(const ClipState& state, uint32_t planes, ClipPlane* out) {
   int count = 0;
-  // Near comes first: with w > 0 behind it, the guard band's planes are sound.
-  if ((planes & (kOutcodeNear | kOutcodeGuard)) != 0) out[count++] = {2, 1, -1, -1};
-  if ((planes & kOutcodeFar) != 0) out[count++] = {2, -1, 1, -1};
-  if ((planes & kOutcodeGuard) != 0) {
-    out[count++] = {0, 1, state.guard.x_min, -1};
-    out[count++] = {0, -1, state.guard.x_max, -1};
-    out[count++] = {1, 1, state.guard.y_min, -1};
-    out[count++] = {1, -1, state.guard.y_max, -1};
-  }
-  if ((planes & kOutcodeLeft) != 0) out[count++] = {0, 1, -1, -1};
-  if ((planes & kOutcodeRight) != 0) out[count++] = {0, -1, 1, -1};
-  if ((planes & kOutcodeBottom) != 0) out[count++] = {1, 1, -1, -1};
-  if ((planes & kOutcodeTop) != 0) out[count++] = {1, -1, 1, -1};
+  const auto add = [&](uint32_t outcode, int axis, float sign, float limit) {
+    if ((planes & outcode) != 0) out[count++] = {axis, sign, limit, -1};
+  };
+  add(kOutcodeRight, 0, -1, 1);
+  add(kOutcodeLeft, 0, 1, -1);
+  add(kOutcodeTop, 1, -1, 1);
+  add(kOutcodeBottom, 1, 1, -1);
+  add(kOutcodeNear, 2, 1, -1);
+  add(kOutcodeFar, 2, -1, 1);
   for (int i = 0; i < kMaxClipPlanes; ++i) {
     if ((planes & (kOutcodeUser << i)) != 0 && state.layout.clip_distance_offset != 0) {
       out[count++] = {0, 1, 0, state.layout.clip_distance_offset + i};
     }
   }
+  add(kOutcodeGuard, 0, 1, state.guard.x_min);
+  add(kOutcodeGuard, 0, -1, state.guard.x_max);
+  add(kOutcodeGuard, 1, 1, state.guard.y_min);
+  add(kOutcodeGuard, 1, -1, state.guard.y_max);
   return count;
 }
 
@@ -56,43 +56,55 @@ float* new_vertex(const ClipState& state, Arena& arena) {
   return static_cast<float*>(arena.allocate(state.layout.stride * sizeof(float)));
 }
 
-// The point where the edge from `inside` to `outside` meets the plane. Two triangles that share an
-// edge get the same point, because the direction does not depend on the triangle.
-const float* intersect(const ClipState& state, const float* inside, const float* outside,
-                       float inside_distance, float outside_distance, Arena& arena) {
-  const float t = inside_distance / (inside_distance - outside_distance);
+// The point where the edge between `p` and `q` meets the plane, found from the vertex nearer to it,
+// from the inner one when both are as near. Two triangles that share an edge get the same point,
+// because the choice does not depend on the triangle.
+const float* intersect(const ClipState& state, const float* p, const float* q, float p_distance,
+                       float q_distance, Arena& arena) {
+  const float p_away = std::fabs(p_distance), q_away = std::fabs(q_distance);
+  if (q_away < p_away || (q_away == p_away && q_distance >= 0)) {
+    std::swap(p, q);
+    std::swap(p_distance, q_distance);
+  }
+  const float t = -p_distance / (q_distance - p_distance);
   float* vertex = new_vertex(state, arena);
   for (int i = 0; i < state.layout.stride; ++i) {
-    vertex[i] = inside[i] + t * (outside[i] - inside[i]);
+    vertex[i] = p[i] + t * (q[i] - p[i]);
   }
   std::memset(vertex + vertex_record::kOutcode, 0, sizeof(float));
   project_vertex(vertex, state.viewport);
   return vertex;
 }
 
+// One pass of the method. The polygon is walked from its first corner, which stays first if it is
+// inside.
 int clip_against(const ClipState& state, const ClipPlane& plane, const float* const* in, int count,
                  Arena& arena, const float** out) {
   int kept = 0;
-  const float* previous = in[count - 1];
-  float previous_distance = plane.distance(previous);
+  float distance = plane.distance(in[0]);
   for (int i = 0; i < count; ++i) {
     const float* current = in[i];
-    const float distance = plane.distance(current);
-    if (!std::isfinite(distance) || !std::isfinite(previous_distance)) {
+    const float* next = in[i + 1 == count ? 0 : i + 1];
+    const float next_distance = plane.distance(next);
+    if (!std::isfinite(distance) || !std::isfinite(next_distance)) {
       return 0;
-    }
-    if ((distance >= 0) != (previous_distance >= 0)) {
-      out[kept++] = distance >= 0
-                        ? intersect(state, current, previous, distance, previous_distance, arena)
-                        : intersect(state, previous, current, previous_distance, distance, arena);
     }
     if (distance >= 0) {
       out[kept++] = current;
     }
-    previous = current;
-    previous_distance = distance;
+    if ((distance >= 0) != (next_distance >= 0)) {
+      out[kept++] = intersect(state, current, next, distance, next_distance, arena);
+    }
+    distance = next_distance;
   }
   return kept;
+}
+
+// Whether the window coordinates can be snapped: not behind the eye, within the guard band.
+bool projects_well(const float* record) {
+  const float* window = record + vertex_record::kWindow;
+  return window[0] >= kGuardMin && window[0] <= kGuardMax && window[1] >= kGuardMin &&
+         window[1] <= kGuardMax && std::isfinite(window[2]) && std::isfinite(window[3]);
 }
 
 void copy_colours(const ClipState& state, const float* from, float* to) {
@@ -137,6 +149,9 @@ int clip_triangle(const ClipState& state, const float* const v[3], uint32_t plan
   }
   for (int i = 0; i < count; ++i) {
     const float* corner = buffers[current][i];
+    if (!projects_well(corner)) {
+      return 0;
+    }
     if (state.flat_shade && corner != v[2]) {
       float* copy = new_vertex(state, arena);
       std::copy_n(corner, state.layout.stride, copy);
@@ -159,10 +174,13 @@ bool clip_line(const ClipState& state, const float* v[2], uint32_t planes, Arena
       return false;
     }
     if (d0 < 0) {
-      v[0] = intersect(state, v[1], v[0], d1, d0, arena);
+      v[0] = intersect(state, v[0], v[1], d0, d1, arena);
     } else if (d1 < 0) {
       v[1] = intersect(state, v[0], v[1], d0, d1, arena);
     }
+  }
+  if (!projects_well(v[0]) || !projects_well(v[1])) {
+    return false;
   }
   if (state.flat_shade && v[1] != provoking) {
     float* copy = new_vertex(state, arena);

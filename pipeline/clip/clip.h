@@ -1,8 +1,9 @@
 // Clipping of the primitives that cross a clip plane (2.11), in homogeneous clip coordinates.
 //
-// The sides of the view volume need no clipping as long as a primitive stays within the guard band:
-// the viewport's rectangle bounds its pixels. What crosses the near or far plane, a user plane or
-// the guard band is cut by Sutherland and Hodgman's method.
+// Every plane that a primitive crosses cuts it, by Sutherland and Hodgman's method, in the order
+// and with the arithmetic of the reference: the corners that clipping makes are snapped like
+// others, so a different cut would cover different pixels along the edges that leave the view. The
+// guard band comes last; it only keeps window coordinates inside the range of raster/edge.h.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -22,11 +23,6 @@ struct ClipState {
 
 // The guard band of a viewport: the window range of raster/edge.h, in multiples of w.
 GuardBand make_guard_band(const Viewport& viewport);
-
-// The planes that a triangle must be cut against; a line is cut against all it crosses, since its
-// width may reach past the viewport.
-inline constexpr uint32_t kTriangleClipMask =
-    kOutcodeNear | kOutcodeFar | kOutcodeGuard | ~(kOutcodeUser - 1);
 
 // Each plane adds a corner at most.
 inline constexpr int kMaxPlanes = 10 + kMaxClipPlanes;

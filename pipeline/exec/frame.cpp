@@ -102,20 +102,6 @@ struct Frame::Impl {
     return program.get();
   }
 
-  Rect draw_bounds(Primitive primitive) const {
-    Rect bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
-    if (primitive >= Primitive::kTriangles) {
-      // Stands in for clipping at the sides of the view volume. Points and wide lines that lie
-      // inside it may reach past the viewport.
-      const Viewport& v = raster_state.viewport;
-      bounds = intersect(
-          bounds,
-          {static_cast<int>(v.centre_x - v.scale_x), static_cast<int>(v.centre_y - v.scale_y),
-           static_cast<int>(v.centre_x + v.scale_x), static_cast<int>(v.centre_y + v.scale_y)});
-    }
-    return bounds;
-  }
-
   // Window y is computed as Mesa does for window-system surfaces, counting from the top; setup
   // mirrors the snapped value (docs/architecture.md, "Mesa's coverage").
   Viewport mirrored_viewport() const {
@@ -134,7 +120,7 @@ struct Frame::Impl {
     draw.vertex = recorded_vertex;
     draw.setup.raster = raster_state;
     draw.setup.layout = make_vertex_layout(vertex_state);
-    draw.setup.bounds = draw_bounds(command.primitive);
+    draw.setup.bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
     draw.setup.inputs = draw.program->inputs;
     draw.setup.inputs.texture_units &= draw.setup.layout.texture_units;
     draw.setup.mirror_height = target.height;

@@ -171,13 +171,12 @@ class FrontWorker {
     PrimitiveRecord record;
     record.draw = draw_index;
     if (corners == 3) {
-      const uint32_t planes = outcodes & kTriangleClipMask;
-      if (planes == 0) {
+      if (outcodes == 0) {
         add(setup_triangle(draw.setup, v[0], v[1], v[2], record), record, packet);
         return;
       }
       const float* polygon[kMaxClippedCorners];
-      const int count = clip_triangle(draw.clip, v, planes, arena_, polygon);
+      const int count = clip_triangle(draw.clip, v, outcodes, arena_, polygon);
       for (int i = 2; i < count; ++i) {
         PrimitiveRecord piece = record;
         add(setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece), piece,

@@ -30,6 +30,32 @@ HWY_INLINE VecInt gather(const SampleLevel& level, VecInt index) {
   return hn::GatherIndex(TagInt(), reinterpret_cast<const int32_t*>(level.texels), index);
 }
 
+// Texels of a row at `first` and `second`. Where every second texel follows its first one, both come
+// with one 64-bit load.
+struct TexelPair {
+  VecInt first, second;
+};
+
+HWY_INLINE TexelPair gather_apart(const SampleLevel& level, VecInt first, VecInt second) {
+  return {gather(level, first), gather(level, second)};
+}
+
+HWY_INLINE TexelPair gather_adjacent(const SampleLevel& level, VecInt first) {
+#if HWY_TARGET == HWY_SCALAR
+  return gather_apart(level, first, hn::Add(first, hn::Set(TagInt(), 1)));
+#else
+  const TagInt di;
+  const hn::Half<TagInt> dh;
+  const hn::RepartitionToWide<TagInt> dw;
+  const auto* base = reinterpret_cast<const int64_t*>(level.texels);
+  const auto low = hn::ShiftLeft<2>(hn::PromoteTo(dw, hn::LowerHalf(dh, first)));
+  const auto high = hn::ShiftLeft<2>(hn::PromoteTo(dw, hn::UpperHalf(dh, first)));
+  const VecInt a = hn::BitCast(di, hn::GatherOffset(dw, base, low));
+  const VecInt b = hn::BitCast(di, hn::GatherOffset(dw, base, high));
+  return {hn::ConcatEven(di, b, a), hn::ConcatOdd(di, b, a)};
+#endif
+}
+
 template <class Axes, bool kFine>
 HWY_INLINE Colours sample_nearest(const Axes& axes, const SampleLevel& level, VecFloat s,
                                   VecFloat t) {
@@ -53,10 +79,19 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
   const VecInt width = hn::Set(TagInt(), level.width);
   const VecInt row0 = hn::Mul(y.first, width);
   const VecInt row1 = hn::Mul(y.second, width);
-  Colours c00 = unpack(gather(level, hn::Add(row0, x.first)));
-  Colours c10 = unpack(gather(level, hn::Add(row0, x.second)));
-  Colours c01 = unpack(gather(level, hn::Add(row1, x.first)));
-  Colours c11 = unpack(gather(level, hn::Add(row1, x.second)));
+  TexelPair bottom, top;
+  const auto adjacent = hn::Eq(x.second, hn::Add(x.first, hn::Set(TagInt(), 1)));
+  if (HWY_LIKELY(hn::AllTrue(TagInt(), adjacent))) {
+    bottom = gather_adjacent(level, hn::Add(row0, x.first));
+    top = gather_adjacent(level, hn::Add(row1, x.first));
+  } else {
+    bottom = gather_apart(level, hn::Add(row0, x.first), hn::Add(row0, x.second));
+    top = gather_apart(level, hn::Add(row1, x.first), hn::Add(row1, x.second));
+  }
+  Colours c00 = unpack(bottom.first);
+  Colours c10 = unpack(bottom.second);
+  Colours c01 = unpack(top.first);
+  Colours c11 = unpack(top.second);
   if constexpr (kFine) {
     c00 = widen(c00);
     c10 = widen(c10);

@@ -17,7 +17,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::HWY_NAMESPACE {
+namespace clearpipe::pipeline::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Row masks of the columns [first_column, end_column) for the rows [first_row, end_row), without
@@ -79,19 +79,18 @@ void CoverAllRows(const TileEdges& edges, int first_column, int end_column, int 
   }
 }
 
-}  // namespace clearpipe::pipeline::HWY_NAMESPACE
+}  // namespace clearpipe::pipeline::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace clearpipe::pipeline {
+namespace raster {
 
 HWY_EXPORT(CoverAllRows);
 
-namespace {
-
 using CoverRowsFunction = void (*)(const TileEdges&, int, int, int, int, uint64_t*);
 
-CoverRowsFunction cover_rows() {
+static CoverRowsFunction cover_rows() {
   static const CoverRowsFunction function = [] {
     select_simd_target();
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -100,7 +99,7 @@ CoverRowsFunction cover_rows() {
   return function;
 }
 
-}  // namespace
+}  // namespace raster
 
 TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y,
                           TileEdges& edges) {
@@ -139,7 +138,7 @@ bool cover_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y, Covera
   if (classify_tile(primitive, tile_x, tile_y, edges) == TileOverlap::kOutside) {
     return false;
   }
-  cover_rows()(edges, x0, x1, y0, y1, coverage.rows);
+  raster::cover_rows()(edges, x0, x1, y0, y1, coverage.rows);
   const uint64_t columns = (~uint64_t{0} >> (kTileWidth - (x1 - x0))) << x0;
   int first = y1, last = y0;
   for (int row = y0; row < y1; ++row) {

@@ -20,8 +20,7 @@ enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle, kRectangle };
 struct SetupState {
   RasterState raster;
   VertexLayout layout;
-  Rect bounds;  // pixels that may be touched: scissor and surface, and for triangles
-                // the viewport, which stands in for clipping inside the guard band
+  Rect bounds;  // pixels that may be touched: the scissor box and the surface
   FragmentInputs inputs;
   int mirror_height = 0;   // > 0: record y counts down from the top of a surface this high
   bool two_sided = false;  // back colour at layout.back_colour_offset

@@ -51,8 +51,8 @@ enum Outcode : uint32_t {
   kOutcodeUser = 1u << 8,
 };
 
-// The guard band in clip space: a vertex is inside when |x - 0| <= scale_x * w etc. Derived from
-// the viewport so that window coordinates inside it fit the fixed-point range of raster/.
+// The guard band in clip space: a vertex is inside when x_min * w <= x <= x_max * w, and so for y.
+// It is the range of window coordinates that raster/edge.h can take.
 struct GuardBand {
   float x_min = -1, x_max = 1, y_min = -1, y_max = 1;  // multiples of w
 };
