@@ -30,32 +30,6 @@ HWY_INLINE VecInt gather(const SampleLevel& level, VecInt index) {
   return hn::GatherIndex(TagInt(), reinterpret_cast<const int32_t*>(level.texels), index);
 }
 
-// Texels of a row at `first` and `second`. Where every second texel follows its first one, both come
-// with one 64-bit load.
-struct TexelPair {
-  VecInt first, second;
-};
-
-HWY_INLINE TexelPair gather_apart(const SampleLevel& level, VecInt first, VecInt second) {
-  return {gather(level, first), gather(level, second)};
-}
-
-HWY_INLINE TexelPair gather_adjacent(const SampleLevel& level, VecInt first) {
-#if HWY_TARGET == HWY_SCALAR
-  return gather_apart(level, first, hn::Add(first, hn::Set(TagInt(), 1)));
-#else
-  const TagInt di;
-  const hn::Half<TagInt> dh;
-  const hn::RepartitionToWide<TagInt> dw;
-  const auto* base = reinterpret_cast<const int64_t*>(level.texels);
-  const auto low = hn::ShiftLeft<2>(hn::PromoteTo(dw, hn::LowerHalf(dh, first)));
-  const auto high = hn::ShiftLeft<2>(hn::PromoteTo(dw, hn::UpperHalf(dh, first)));
-  const VecInt a = hn::BitCast(di, hn::GatherOffset(dw, base, low));
-  const VecInt b = hn::BitCast(di, hn::GatherOffset(dw, base, high));
-  return {hn::ConcatEven(di, b, a), hn::ConcatOdd(di, b, a)};
-#endif
-}
-
 template <class Axes, bool kFine>
 HWY_INLINE Colours sample_nearest(const Axes& axes, const SampleLevel& level, VecFloat s,
                                   VecFloat t) {
@@ -79,19 +53,10 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
   const VecInt width = hn::Set(TagInt(), level.width);
   const VecInt row0 = hn::Mul(y.first, width);
   const VecInt row1 = hn::Mul(y.second, width);
-  TexelPair bottom, top;
-  const auto adjacent = hn::Eq(x.second, hn::Add(x.first, hn::Set(TagInt(), 1)));
-  if (HWY_LIKELY(hn::AllTrue(TagInt(), adjacent))) {
-    bottom = gather_adjacent(level, hn::Add(row0, x.first));
-    top = gather_adjacent(level, hn::Add(row1, x.first));
-  } else {
-    bottom = gather_apart(level, hn::Add(row0, x.first), hn::Add(row0, x.second));
-    top = gather_apart(level, hn::Add(row1, x.first), hn::Add(row1, x.second));
-  }
-  Colours c00 = unpack(bottom.first);
-  Colours c10 = unpack(bottom.second);
-  Colours c01 = unpack(top.first);
-  Colours c11 = unpack(top.second);
+  Colours c00 = unpack(gather(level, hn::Add(row0, x.first)));
+  Colours c10 = unpack(gather(level, hn::Add(row0, x.second)));
+  Colours c01 = unpack(gather(level, hn::Add(row1, x.first)));
+  Colours c11 = unpack(gather(level, hn::Add(row1, x.second)));
   if constexpr (kFine) {
     c00 = widen(c00);
     c10 = widen(c10);
@@ -189,24 +154,88 @@ HWY_NOINLINE Colours sample_keys(const SampleState& state, const Axes& axes, Vec
   return result;
 }
 
+// What choose_level gives for a batch.
+struct BatchChoice {
+  HWY_ALIGN int32_t key[kBatchSize];
+  HWY_ALIGN int32_t weight[kBatchSize];
+  bool same_key = true;     // one key for the whole batch
+  bool two_levels = false;  // some weight is not zero
+};
+
+template <bool kFine>
+HWY_INLINE void choose_levels(const SampleState& state, const FragmentBatch& batch,
+                              BatchChoice& choices) {
+  const TagFloat df;
+  const TagInt di;
+  const size_t count = static_cast<size_t>(batch.count);
+  for (size_t i = 0; i < count; i += hn::Lanes(df)) {
+    const LevelChoice choice = choose_level<kFine>(state, hn::Load(df, batch.lod + i));
+    hn::Store(choice.key, di, choices.key + i);
+    hn::Store(choice.weight, di, choices.weight + i);
+    if (!hn::AllTrue(di, hn::Eq(choice.key, hn::Set(di, choices.key[0])))) {
+      choices.same_key = false;
+    }
+    if (!hn::AllTrue(di, hn::Eq(choice.weight, hn::Zero(di)))) choices.two_levels = true;
+  }
+}
+
+// The whole batch on one level, or between it and the next.
+template <class Axes, bool kFine, bool kLinear>
+HWY_NOINLINE void sample_same_key(const SampleState& state, const BatchChoice& choices,
+                                  FragmentBatch& batch, int unit) {
+  const TagFloat df;
+  const TagInt di;
+  const Axes axes(state);
+  const int first = state.first_level + (choices.key[0] >> 1);
+  const SampleLevel levels[2] = {state.levels[first],
+                                 state.levels[choices.two_levels ? first + 1 : first]};
+  const size_t count = static_cast<size_t>(batch.count);
+  for (size_t i = 0; i < count; i += hn::Lanes(df)) {
+    const VecFloat s = hn::Load(df, batch.s + i);
+    const VecFloat t = hn::Load(df, batch.t + i);
+    Colours c = kLinear ? sample_linear<Axes, kFine>(axes, levels[0], s, t)
+                        : sample_nearest<Axes, kFine>(axes, levels[0], s, t);
+    if (choices.two_levels) {
+      const Colours other = kLinear ? sample_linear<Axes, kFine>(axes, levels[1], s, t)
+                                    : sample_nearest<Axes, kFine>(axes, levels[1], s, t);
+      c = lerp<kFine>(spread(hn::Load(di, choices.weight + i)), c, other);
+    }
+    store<kFine>(c, batch, unit, i);
+  }
+}
+
 // Levels and filters that follow each fragment's level of detail.
 template <class Axes, bool kFine>
 void sample_levels(const SampleState& state, FragmentBatch& batch, int unit) {
   const TagFloat df;
   const TagInt di;
+  if (batch.count <= 0) return;
+  BatchChoice choices;
+  choose_levels<kFine>(state, batch, choices);
+  if (choices.same_key) {
+    const bool magnified = (choices.key[0] & 1) != 0;
+    const Filter filter = magnified ? state.sampler.mag : state.sampler.min;
+    if (filter == Filter::kLinear) {
+      sample_same_key<Axes, kFine, true>(state, choices, batch, unit);
+    } else {
+      sample_same_key<Axes, kFine, false>(state, choices, batch, unit);
+    }
+    return;
+  }
   const Axes axes(state);
   const auto all = hn::Eq(hn::Zero(di), hn::Zero(di));
   const size_t count = static_cast<size_t>(batch.count);
   for (size_t i = 0; i < count; i += hn::Lanes(df)) {
     const VecFloat s = hn::Load(df, batch.s + i);
     const VecFloat t = hn::Load(df, batch.t + i);
-    const LevelChoice choice = choose_level<kFine>(state, hn::Load(df, batch.lod + i));
-    Colours c = sample_keys<Axes, kFine>(state, axes, choice.key, all, s, t);
-    const auto both = hn::Gt(choice.weight, hn::Zero(di));
+    const VecInt key = hn::Load(di, choices.key + i);
+    const VecInt weight = hn::Load(di, choices.weight + i);
+    Colours c = sample_keys<Axes, kFine>(state, axes, key, all, s, t);
+    const auto both = hn::Gt(weight, hn::Zero(di));
     if (!hn::AllFalse(di, both)) {
-      const VecInt next = hn::Add(choice.key, hn::Set(di, 2));
+      const VecInt next = hn::Add(key, hn::Set(di, 2));
       const Colours other = sample_keys<Axes, kFine>(state, axes, next, both, s, t);
-      c = lerp<kFine>(spread(choice.weight), c, other);
+      c = lerp<kFine>(spread(weight), c, other);
     }
     store<kFine>(c, batch, unit, i);
   }

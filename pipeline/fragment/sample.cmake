@@ -3,6 +3,6 @@
 target_sources(clearpipe_pipeline PRIVATE ${CMAKE_CURRENT_LIST_DIR}/sample.cpp)
 if(CLEARPIPE_TESTS)
   add_executable(sample_test ${CMAKE_CURRENT_LIST_DIR}/sample_test.cpp)
-  target_link_libraries(sample_test PRIVATE clearpipe_pipeline GTest::gtest_main)
+  target_link_libraries(sample_test PRIVATE clearpipe_pipeline PkgConfig::HWY GTest::gtest_main)
   add_test(NAME sample_test COMMAND sample_test)
 endif()

@@ -391,6 +391,33 @@ TEST(Sample, PlaceInTheBatchDoesNotMatter) {
   }
 }
 
+// A batch whose fragments share a level takes a shorter way, with the same result.
+TEST(Sample, OneLevelForAllEqualsLevelsMixed) {
+  const ImageRef image = random_image(64, 16, 53);
+  for (const int64_t target : targets_of_machine()) {
+    const OnTarget on(target);
+    for_each_sampler([&](const Sampler& sampler) {
+      const TextureUnit unit = unit_of(image, sampler);
+      std::mt19937 random(59);
+      FragmentBatch mixed;
+      fill(mixed, *image, random, kBatchSize);
+      for (const float lod : {-1.0f, 0.3f, 1.25f, 1.75f, 5.5f, 20.0f}) {
+        std::fill(mixed.lod, mixed.lod + kBatchSize, lod);
+        const auto together = sampled(unit, mixed);
+        for (int i = 0; i < kBatchSize; i += 3) mixed.lod[i] = 3.4f;
+        const auto apart = sampled(unit, mixed);
+        for (int c = 0; c < 4; ++c) {
+          for (int i = 0; i < kBatchSize; ++i) {
+            if (i % 3 == 0) continue;
+            ASSERT_EQ(together->texture[1][c][i], apart->texture[1][c][i])
+                << describe(sampler, image->levels[0], target) << " lod " << lod;
+          }
+        }
+      }
+    });
+  }
+}
+
 // 3.7.8: with LINEAR magnification and NEAREST_MIPMAP_* minification the switch is at 1/2, else 0.
 TEST(Sample, MagnificationThreshold) {
   Sampler sampler;
