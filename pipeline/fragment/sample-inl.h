@@ -113,7 +113,10 @@ HWY_INLINE LevelChoice choose_level(const SampleState& state, VecFloat lod) {
   VecInt level = hn::Zero(di);
   VecInt weight = hn::Zero(di);
   if (state.sampler.mip == MipFilter::kNearest) {
-    level = hn::ConvertTo(di, hn::Floor(hn::Add(lambda, hn::Set(df, 0.5f))));
+    // Halfway between levels: up without a bias, to the even level with one.
+    level = state.sampler.lod_bias == 0.0f
+                ? hn::ConvertTo(di, hn::Floor(hn::Add(lambda, hn::Set(df, 0.5f))))
+                : round_to_int(lambda);
     level = hn::Min(hn::Max(level, hn::Zero(di)), last);
   } else if (state.sampler.mip == MipFilter::kLinear) {
     const VecFloat whole = hn::Floor(lambda);
