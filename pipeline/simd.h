@@ -5,9 +5,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#ifndef HWY_WANT_SSE4
-#define HWY_WANT_SSE4 1
-#endif
+// Scalar code, SSE4, AVX2 and AVX-512 on x86; on other processors what Highway knows of them.
+#define HWY_COMPILE_ALL_ATTAINABLE
+#define HWY_DISABLED_TARGETS HWY_SSSE3
 
 namespace clearpipe::pipeline {
 

@@ -28,9 +28,9 @@ struct FragmentBatch {
 
   alignas(64) int16_t live[kBatchSize];                   // -1: the fragment lives; 0: discarded
   alignas(64) uint16_t offset[kBatchSize];                // index into the tile's planes
-  alignas(64) uint32_t depth[kBatchSize];                 // 24-bit depth of the fragment
   alignas(64) uint32_t stored_depth_stencil[kBatchSize];  // gathered from the tile
   alignas(64) uint32_t stored_colour[kBatchSize];
+  alignas(64) uint32_t colour[kBatchSize];  // the fragment's final colour, RGBA8
 
   alignas(64) int16_t primary[4][kBatchSize];
   alignas(64) int16_t previous[4][kBatchSize];  // result of the last texture unit; then the colour

@@ -1,0 +1,84 @@
+// Blending (4.1.7) on 8-bit values in 16-bit lanes: exact products a * b / 255, rounded, and
+// saturating sums, as the reference blends an RGBA8 surface.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_BLEND_INL_H_
+#undef CLEARPIPE_FRAGMENT_BLEND_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_BLEND_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/state.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The nearest integer to a * b / 255.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V multiply_unorm8(D d, V a, V b) {
+  const V t = hn::Add(hn::Mul(a, b), hn::Set(d, 128));
+  return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+}
+
+// The colour of source and destination at one channel, with both alphas at hand.
+template <class V>
+struct BlendOperands {
+  V source, destination, source_alpha, destination_alpha;
+};
+
+// Table 4.5.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V blend_factor(D d, BlendFactor factor, bool alpha, const BlendOperands<V>& in) {
+  const V one = hn::Set(d, 255);
+  switch (factor) {
+    case BlendFactor::kZero:
+      return hn::Zero(d);
+    case BlendFactor::kOne:
+      return one;
+    case BlendFactor::kSrcColour:
+      return in.source;
+    case BlendFactor::kOneMinusSrcColour:
+      return hn::Sub(one, in.source);
+    case BlendFactor::kDstColour:
+      return in.destination;
+    case BlendFactor::kOneMinusDstColour:
+      return hn::Sub(one, in.destination);
+    case BlendFactor::kSrcAlpha:
+      return in.source_alpha;
+    case BlendFactor::kOneMinusSrcAlpha:
+      return hn::Sub(one, in.source_alpha);
+    case BlendFactor::kDstAlpha:
+      return in.destination_alpha;
+    case BlendFactor::kOneMinusDstAlpha:
+      return hn::Sub(one, in.destination_alpha);
+    case BlendFactor::kSrcAlphaSaturate:
+      return alpha ? one : hn::Min(in.source_alpha, hn::Sub(one, in.destination_alpha));
+  }
+  return one;
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V blend(D d, BlendEquation equation, BlendFactor source_factor,
+                   BlendFactor destination_factor, bool alpha, const BlendOperands<V>& in) {
+  if (equation == BlendEquation::kMin) return hn::Min(in.source, in.destination);
+  if (equation == BlendEquation::kMax) return hn::Max(in.source, in.destination);
+  const V source = multiply_unorm8(d, in.source, blend_factor(d, source_factor, alpha, in));
+  const V destination =
+      multiply_unorm8(d, in.destination, blend_factor(d, destination_factor, alpha, in));
+  switch (equation) {
+    case BlendEquation::kSubtract:
+      return hn::SaturatedSub(source, destination);
+    case BlendEquation::kReverseSubtract:
+      return hn::SaturatedSub(destination, source);
+    default:
+      return hn::Min(hn::Add(source, destination), hn::Set(d, 255));
+  }
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,58 @@
+// The inside of a fragment program: the stages that select.cpp chose and the constants they use.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/program.h"
+#include "pipeline/fragment/sample.h"
+#include "pipeline/state.h"
+
+namespace clearpipe::pipeline {
+
+enum class FragmentStage : uint8_t {
+#define FRAGMENT_STAGE(name) name,
+#include "pipeline/fragment/stages.def"
+#undef FRAGMENT_STAGE
+};
+
+struct ChainStep {
+  FragmentStage stage = FragmentStage::pack_colour;
+  uint8_t unit = 0;  // of texture stages
+};
+
+struct UnitProgram {
+  SampleState sample;
+  SampleFunction sample_function = nullptr;
+  Combiner combiner;
+  int16_t constant[4] = {};
+};
+
+struct FragmentProgram {
+  FragmentInputs inputs;
+  std::array<ChainStep, 8 + 2 * kMaxTextureUnits> steps;
+  int step_count = 0;
+
+  bool early_depth = false;  // the depth test runs on rows, before batches are filled
+  bool depth_test = false, depth_write = false;
+  CompareFunc depth_func = CompareFunc::kAlways;
+  StencilState stencil;
+  bool uses_depth_stencil = false;  // the chain reads and writes the stored values
+  CompareFunc alpha_func = CompareFunc::kAlways;
+  int16_t alpha_reference = 0;
+  FogMode fog_mode = FogMode::kNone;
+  float fog_scale = 0, fog_offset = 0;
+  int16_t fog_colour[3] = {};
+  BlendState blend;
+  LogicOp logic_op = LogicOp::kCopy;
+  uint32_t colour_mask = 0xffffffffu;  // bits of a packed colour that may change
+  std::array<UnitProgram, kMaxTextureUnits> unit;
+};
+
+// Runs the program over the coverage with the SIMD target in use.
+void run_chain(const FragmentProgram& program, const PrimitivePlanes& planes,
+               const Coverage& coverage, Tile& tile);
+
+}  // namespace clearpipe::pipeline

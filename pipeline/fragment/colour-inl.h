@@ -1,0 +1,55 @@
+// Colour arithmetic of the fragment stages: signed 16-bit lanes with 13 fraction bits, and the
+// exact conversion from and to 8 bits. SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_COLOUR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_COLOUR_INL_H_
+#undef CLEARPIPE_FRAGMENT_COLOUR_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_COLOUR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/fragment/batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// v/255 of an 8-bit value: 8192 * v / 255 within half a unit, exact for 0 and 255.
+template <class V>
+HWY_INLINE V from_unorm8(V v) {
+  return hn::Add(hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(v)), hn::ShiftRight<7>(v));
+}
+
+// The nearest 8-bit value of a colour in [0, 1]; gives back what from_unorm8 was given.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V to_unorm8(D d, V c) {
+  return hn::ShiftRight<5>(hn::Add(hn::Sub(c, hn::ShiftRight<8>(c)), hn::Set(d, 16)));
+}
+
+// a * b for factors in (-2, 2), rounded to nearest; 1 * b is exactly b.
+template <class V>
+HWY_INLINE V multiply(V a, V b) {
+  return hn::MulFixedPoint15(hn::ShiftLeft<1>(a), hn::ShiftLeft<1>(b));
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V clamp_colour(D d, V c) {
+  return hn::Min(hn::Max(c, hn::Zero(d)), hn::Set(d, kColourOne));
+}
+
+// A float in [0, 1] (anything else is clamped, NaN to 0) as a colour. Takes the float tag of as
+// many lanes as the 16-bit tag.
+template <class D16, class DF, class VF = hn::Vec<DF>>
+HWY_INLINE hn::Vec<D16> to_colour(D16 d16, DF df, VF f) {
+  const auto zero = hn::Zero(df);
+  const auto one = hn::Set(df, 1.0f);
+  f = hn::IfThenElse(hn::Gt(f, zero), f, zero);
+  f = hn::IfThenElse(hn::Lt(f, one), f, one);
+  return hn::DemoteTo(d16, hn::NearestInt(hn::Mul(f, hn::Set(df, float{kColourOne}))));
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,159 @@
+// The stencil and depth tests (4.1.4, 4.1.5) on packed values: depth << 8 | stencil.
+//
+// Depth is compared as the 24-bit integer that the buffer holds. Depths and stencil values are at
+// most 24 bits, so signed comparison serves.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_
+#undef CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/compare-inl.h"
+#include "pipeline/fragment/interpolate-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+struct DepthState {
+  bool test = false, write = false;
+  CompareFunc func = CompareFunc::kAlways;
+};
+
+// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1).
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const Plane& plane, V x, V y) {
+  V z = evaluate(d, plane, x, y);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  z = hn::IfThenElse(hn::Gt(z, zero), z, zero);
+  z = hn::IfThenElse(hn::Lt(z, one), z, one);
+  return hn::NearestInt(hn::Mul(z, hn::Set(d, 16777215.0f)));
+}
+
+// Table 4.2: what an operation makes of the stored stencil value.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V stencil_operation(D d, StencilOp op, V stored, uint8_t reference) {
+  const V one = hn::Set(d, 1), all = hn::Set(d, 255);
+  switch (op) {
+    case StencilOp::kKeep:
+      break;
+    case StencilOp::kZero:
+      return hn::Zero(d);
+    case StencilOp::kReplace:
+      return hn::Set(d, reference);
+    case StencilOp::kIncrement:
+      return hn::Min(hn::Add(stored, one), all);
+    case StencilOp::kDecrement:
+      return hn::Max(hn::Sub(stored, one), hn::Zero(d));
+    case StencilOp::kInvert:
+      return hn::Xor(stored, all);
+    case StencilOp::kIncrementWrap:
+      return hn::And(hn::Add(stored, one), all);
+    case StencilOp::kDecrementWrap:
+      return hn::And(hn::Sub(stored, one), all);
+  }
+  return stored;
+}
+
+// Both tests for one vector. `live` selects the fragments that take part; returns those that pass
+// both, and the new packed values.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, const DepthState& depth,
+                                          hn::Mask<D> live, V fragment_depth, V& packed) {
+  const hn::RebindToUnsigned<D> du;
+  const V stored_depth = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, packed)));
+  const V stored_stencil = hn::And(packed, hn::Set(d, 255));
+  auto passes = live;
+  V new_depth = stored_depth, new_stencil = stored_stencil;
+  if (stencil.enabled) {
+    const V mask = hn::Set(d, stencil.value_mask);
+    const V reference = hn::Set(d, stencil.reference & stencil.value_mask);
+    passes = hn::And(passes, compare(d, stencil.func, reference, hn::And(stored_stencil, mask)));
+    const V failed = stencil_operation(d, stencil.fail, stored_stencil, stencil.reference);
+    new_stencil = hn::IfThenElse(hn::AndNot(passes, live), failed, new_stencil);
+  }
+  const auto stencil_passes = passes;
+  if (depth.test) {
+    passes = hn::And(passes, compare(d, depth.func, fragment_depth, stored_depth));
+    if (depth.write) {
+      new_depth = hn::IfThenElse(passes, fragment_depth, new_depth);
+    }
+  }
+  if (stencil.enabled) {
+    const V depth_failed =
+        stencil_operation(d, stencil.depth_fail, stored_stencil, stencil.reference);
+    const V passed = stencil_operation(d, stencil.pass, stored_stencil, stencil.reference);
+    new_stencil = hn::IfThenElse(hn::AndNot(passes, stencil_passes), depth_failed, new_stencil);
+    new_stencil = hn::IfThenElse(passes, passed, new_stencil);
+    const V writable = hn::Set(d, stencil.write_mask);
+    new_stencil = hn::Or(hn::And(new_stencil, writable), hn::AndNot(writable, stored_stencil));
+  }
+  packed = hn::Or(hn::ShiftLeft<8>(new_depth), new_stencil);
+  return passes;
+}
+
+// The tests over a batch; fragments that fail die.
+inline void depth_stencil_stage(const PrimitivePlanes& planes, const StencilState& stencil,
+                                const DepthState& depth, FragmentBatch& batch) {
+  const hn::ScalableTag<float> df;
+  const hn::RebindToSigned<decltype(df)> d;
+  const hn::Rebind<int16_t, decltype(d)> d16;
+  auto* stored = reinterpret_cast<int32_t*>(batch.stored_depth_stencil);
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto live = hn::Ne(hn::PromoteTo(d, hn::Load(d16, batch.live + i)), hn::Zero(d));
+    auto value = hn::Zero(d);
+    if (depth.test) {
+      value = depth_value(df, planes.depth, hn::Load(df, batch.x + i), hn::Load(df, batch.y + i));
+    }
+    auto packed = hn::Load(d, stored + i);
+    const auto passes = depth_stencil_test(d, stencil, depth, live, value, packed);
+    hn::Store(packed, d, stored + i);
+    hn::Store(hn::DemoteTo(d16, hn::VecFromMask(d, passes)), d16, batch.live + i);
+  }
+}
+
+// The depth test of whole rows before anything else is computed (4.1.5 allows no difference to be
+// seen): pixels that fail leave the coverage. Values are read and written in the tile.
+inline void early_depth(const PrimitivePlanes& planes, const DepthState& depth, Tile& tile,
+                        Coverage& coverage) {
+  const hn::ScalableTag<float> df;
+  const hn::RebindToSigned<decltype(df)> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const StencilState no_stencil;
+  const auto lane_bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, 0));
+  for (int row = coverage.first_row; row < coverage.last_row; ++row) {
+    const uint64_t covered = coverage.rows[row];
+    if (covered == 0) continue;
+    const int first = std::countr_zero(covered) / lanes * lanes;
+    const int last = 64 - std::countl_zero(covered);
+    const auto y = hn::Set(df, static_cast<float>(tile.y + row) + (0.5f - planes.y_ref));
+    auto* stored = reinterpret_cast<int32_t*>(tile.depth_stencil + row * kTileWidth);
+    uint64_t kept = 0;
+    for (int x = first; x < last; x += lanes) {
+      const auto bits = hn::Set(d, static_cast<int32_t>(covered >> x & 0xffff));
+      const auto live = hn::Ne(hn::And(bits, lane_bit), hn::Zero(d));
+      const auto column =
+          hn::Add(hn::ConvertTo(df, hn::Iota(d, tile.x + x)), hn::Set(df, 0.5f - planes.x_ref));
+      auto packed = hn::Load(d, stored + x);
+      const auto passes = depth_stencil_test(d, no_stencil, depth, live,
+                                             depth_value(df, planes.depth, column, y), packed);
+      if (depth.write) hn::Store(packed, d, stored + x);
+      uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, passes, bytes);
+      uint32_t word;
+      std::memcpy(&word, bytes, sizeof(word));
+      kept |= static_cast<uint64_t>(word) << x;
+    }
+    coverage.rows[row] = kept;
+  }
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,146 @@
+// The choice of a program for a fragment state: the stages it needs, in order, and their constants.
+//
+// The depth and stencil tests come after the alpha test (4.1.3 to 4.1.5), but nothing can be seen
+// of their place when the alpha test is off: then they come first, and what they discard is never
+// textured. A depth test alone goes further and runs on whole rows of coverage.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/fragment/chain.h"
+
+namespace clearpipe::pipeline {
+
+namespace {
+
+int16_t to_fixed(float v) {
+  return static_cast<int16_t>(std::nearbyint(std::clamp(v, 0.0f, 1.0f) * float{kColourOne}));
+}
+
+// The alpha reference in the chain's units. Alpha often comes from 8 bits and is compared with a
+// multiple of 1/255, where the two must meet exactly.
+int16_t alpha_reference(float reference) {
+  const float scaled = reference * 255.0f;
+  const int nearest = static_cast<int>(std::nearbyint(scaled));
+  if (std::fabs(scaled - static_cast<float>(nearest)) < 1e-3f) {
+    return static_cast<int16_t>((nearest << 5) + (nearest >> 3) + (nearest >> 7));
+  }
+  return to_fixed(reference);
+}
+
+uint32_t packed_mask(uint8_t components) {
+  uint32_t mask = 0;
+  for (int c = 0; c < 4; ++c) {
+    if ((components >> c & 1) != 0) mask |= 0xffu << (8 * c);
+  }
+  return mask;
+}
+
+void set_fog(const FragmentState& state, FragmentProgram& program) {
+  constexpr float kLog2E = 1.44269504f;
+  program.fog_mode = state.fog;
+  switch (state.fog) {
+    case FogMode::kNone:
+      return;
+    case FogMode::kLinear: {
+      // f = (end - c) / (end - start); with end = start the section leaves f undefined.
+      const float range = state.fog_end - state.fog_start;
+      program.fog_scale = range != 0 ? -1.0f / range : 0.0f;
+      program.fog_offset = range != 0 ? state.fog_end / range : 1.0f;
+      break;
+    }
+    case FogMode::kExp:
+      program.fog_scale = state.fog_density * kLog2E;
+      break;
+    case FogMode::kExp2:
+      program.fog_scale = state.fog_density * std::sqrt(kLog2E);
+      break;
+  }
+  program.fog_colour[0] = to_fixed(state.fog_colour.x);
+  program.fog_colour[1] = to_fixed(state.fog_colour.y);
+  program.fog_colour[2] = to_fixed(state.fog_colour.z);
+}
+
+void set_unit(const TextureUnit& unit, UnitProgram& out) {
+  out.sample = make_sample_state(unit);
+  out.sample_function = select_sample_function(out.sample);
+  out.combiner = unit.combiner;
+  const float constant[4] = {unit.constant.x, unit.constant.y, unit.constant.z, unit.constant.w};
+  std::transform(constant, constant + 4, out.constant, to_fixed);
+}
+
+void select_stages(const FragmentState& state, FragmentProgram& program) {
+  const auto add = [&](FragmentStage stage, int unit = 0) {
+    program.steps[program.step_count++] = {stage, static_cast<uint8_t>(unit)};
+  };
+  const bool tests = program.depth_test || program.stencil.enabled;
+  const bool tests_in_chain = tests && !program.early_depth;
+  program.uses_depth_stencil = tests_in_chain;
+  if (tests_in_chain && !state.alpha_test) add(FragmentStage::test_depth_stencil);
+
+  const bool colour = program.colour_mask != 0;
+  if (colour || state.alpha_test) {
+    program.inputs.colour = true;
+    add(FragmentStage::interpolate_w);
+    add(FragmentStage::interpolate_colour);
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+      if (!state.unit[u].enabled) continue;
+      program.inputs.texture_units |= static_cast<uint8_t>(1u << u);
+      add(FragmentStage::sample_texture, u);
+    }
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+      if (state.unit[u].enabled) add(FragmentStage::texture_environment, u);
+    }
+    if (state.fog != FogMode::kNone) {
+      program.inputs.fog = true;
+      add(FragmentStage::fog);
+    }
+  }
+  if (state.alpha_test) {
+    add(FragmentStage::alpha_test);
+    if (tests_in_chain) add(FragmentStage::test_depth_stencil);
+  }
+  if (!colour) return;
+  add(FragmentStage::pack_colour);
+  if (state.logic_op_enabled) {
+    add(FragmentStage::logic_op);
+  } else if (state.blend.enabled) {
+    add(FragmentStage::blend);
+  }
+}
+
+}  // namespace
+
+FragmentProgram* make_fragment_program(const FragmentState& state, bool has_depth,
+                                       bool has_stencil) {
+  auto* program = new FragmentProgram;
+  program->depth_test = state.depth_test && has_depth;
+  program->depth_write = program->depth_test && state.depth_write;
+  program->depth_func = state.depth_func;
+  program->inputs.depth = program->depth_test;
+  program->stencil = state.stencil;
+  program->stencil.enabled = state.stencil.enabled && has_stencil;
+  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test;
+  program->alpha_func = state.alpha_func;
+  program->alpha_reference = alpha_reference(state.alpha_reference);
+  program->blend = state.blend;
+  program->logic_op = state.logic_op;
+  program->colour_mask = packed_mask(state.colour_mask);
+  set_fog(state, *program);
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    if (state.unit[u].enabled) set_unit(state.unit[u], program->unit[u]);
+  }
+  select_stages(state, *program);
+  return program;
+}
+
+void destroy_fragment_program(FragmentProgram* program) { delete program; }
+
+FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.inputs; }
+
+void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
+           Tile& tile) {
+  run_chain(program, planes, coverage, tile);
+}
+
+}  // namespace clearpipe::pipeline

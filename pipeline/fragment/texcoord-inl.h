@@ -1,0 +1,93 @@
+// Texture coordinates of a unit (3.7.7): the projective division, and the level of detail from the
+// fragment's 2x2 quad.
+//
+// The planes are already divided by w_clip, so s = S / Q needs no w. The derivative of a coordinate
+// is its difference between neighbours of the quad that the fragment belongs to. rho is the longer
+// of the two derivative vectors (equation 3.19), and its logarithm is the reference's, which is
+// linear between powers of two: for rho^2 = m * 2^e with m in [1, 2), lambda = (e + (m - 1)) / 2.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_TEXCOORD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_TEXCOORD_INL_H_
+#undef CLEARPIPE_FRAGMENT_TEXCOORD_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_TEXCOORD_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/interpolate-inl.h"
+#include "pipeline/fragment/sample.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void coordinate_at(D d, const Plane* planes, V x, V y, V& s, V& t) {
+  const V reciprocal_q = hn::Div(hn::Set(d, 1.0f), evaluate(d, planes[3], x, y));
+  s = hn::Mul(evaluate(d, planes[0], x, y), reciprocal_q);
+  t = hn::Mul(evaluate(d, planes[1], x, y), reciprocal_q);
+}
+
+inline void texture_coordinates(const Plane* planes, FragmentBatch& batch) {
+  const hn::ScalableTag<float> d;
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    hn::Vec<decltype(d)> s, t;
+    coordinate_at(d, planes, hn::Load(d, batch.x + i), hn::Load(d, batch.y + i), s, t);
+    hn::Store(s, d, batch.s + i);
+    hn::Store(t, d, batch.t + i);
+  }
+}
+
+template <class V>
+HWY_INLINE V length_squared(V x, V y) {
+  return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
+}
+
+// The level of detail into batch.lod. (tile_x, tile_y) is the tile's first pixel.
+inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* planes,
+                            const SampleState& sample, int tile_x, int tile_y,
+                            FragmentBatch& batch) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  const SampleLevel& level = sample.levels[sample.first_level];
+  const V width = hn::Set(d, static_cast<float>(level.width));
+  const V height = hn::Set(d, static_cast<float>(level.height));
+  const V one = hn::Set(d, 1.0f);
+  alignas(64) int32_t column[kBatchSize], row[kBatchSize];
+  for (int i = 0; i < batch.count; ++i) {
+    column[i] = tile_x + (batch.offset[i] % kTileWidth & ~1);
+    row[i] = tile_y + (batch.offset[i] / kTileWidth & ~1);
+  }
+  const V to_x = hn::Set(d, 0.5f - primitive.x_ref);
+  const V to_y = hn::Set(d, 0.5f - primitive.y_ref);
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const V x = hn::Add(hn::ConvertTo(d, hn::Load(di, column + i)), to_x);
+    const V y = hn::Add(hn::ConvertTo(d, hn::Load(di, row + i)), to_y);
+    V s0, t0, s1, t1, s2, t2;
+    coordinate_at(d, planes, x, y, s0, t0);
+    coordinate_at(d, planes, hn::Add(x, one), y, s1, t1);
+    coordinate_at(d, planes, x, hn::Add(y, one), s2, t2);
+    const V along_x =
+        length_squared(hn::Mul(hn::Sub(s1, s0), width), hn::Mul(hn::Sub(t1, t0), height));
+    const V along_y =
+        length_squared(hn::Mul(hn::Sub(s2, s0), width), hn::Mul(hn::Sub(t2, t0), height));
+    V rho_squared = hn::IfThenElse(hn::Gt(along_x, along_y), along_x, along_y);
+    // Keep to positive normal numbers; anything else is taken as far magnified.
+    const V least = hn::Set(d, 1e-30f), most = hn::Set(d, 1e30f);
+    rho_squared = hn::IfThenElse(hn::And(hn::Gt(rho_squared, least), hn::Lt(rho_squared, most)),
+                                 rho_squared, least);
+    const auto bits = hn::BitCast(di, rho_squared);
+    const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
+    const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x7fffff)), hn::Set(di, 0x3f800000));
+    const V fraction = hn::Sub(hn::BitCast(d, mantissa), one);
+    hn::Store(hn::Mul(hn::Set(d, 0.5f), hn::Add(exponent, fraction)), d, batch.lod + i);
+  }
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

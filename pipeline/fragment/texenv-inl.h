@@ -1,0 +1,167 @@
+// The texture environment as a combiner (3.7.12, tables 3.17 to 3.20): one function of up to three
+// arguments for the colours, one for alpha.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_TEXENV_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_TEXENV_INL_H_
+#undef CLEARPIPE_FRAGMENT_TEXENV_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_TEXENV_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/colour-inl.h"
+#include "pipeline/state.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// An argument of a combiner for one channel: a batch array or a constant, perhaps one minus it.
+struct CombinerInput {
+  const int16_t* values = nullptr;  // null: the constant
+  int16_t constant = 0;
+  bool complement = false;
+
+  template <class D>
+  HWY_INLINE hn::Vec<D> load(D d, int i) const {
+    const auto v = values != nullptr ? hn::Load(d, values + i) : hn::Set(d, constant);
+    return complement ? hn::Sub(hn::Set(d, kColourOne), v) : v;
+  }
+};
+
+inline CombinerInput combiner_input(const CombineArgument& argument, int channel,
+                                    const int16_t* constant, const FragmentBatch& batch) {
+  const bool alpha = argument.operand == CombineOperand::kAlpha ||
+                     argument.operand == CombineOperand::kOneMinusAlpha;
+  const int from = alpha ? 3 : channel;
+  CombinerInput input;
+  input.complement = argument.operand == CombineOperand::kOneMinusColour ||
+                     argument.operand == CombineOperand::kOneMinusAlpha;
+  switch (argument.source) {
+    case CombineSource::kConstant:
+      input.constant = constant[from];
+      break;
+    case CombineSource::kPrimaryColour:
+      input.values = batch.primary[from];
+      break;
+    case CombineSource::kPrevious:
+      input.values = batch.previous[from];
+      break;
+    default:
+      input.values = batch.texture[static_cast<int>(argument.source)][from];
+      break;
+  }
+  return input;
+}
+
+// Arg - 1/2.
+template <class D, class V>
+HWY_INLINE V centred(D d, V v) {
+  return hn::Sub(v, hn::Set(d, kColourOne / 2));
+}
+
+template <Combine kCombine, class D, class V = hn::Vec<D>>
+HWY_INLINE V combine(D d, V a0, V a1, V a2) {
+  const V one = hn::Set(d, kColourOne);
+  if constexpr (kCombine == Combine::kReplace) {
+    return a0;
+  } else if constexpr (kCombine == Combine::kModulate) {
+    return multiply(a0, a1);
+  } else if constexpr (kCombine == Combine::kAdd) {
+    return hn::Add(a0, a1);
+  } else if constexpr (kCombine == Combine::kAddSigned) {
+    return centred(d, hn::Add(a0, a1));
+  } else if constexpr (kCombine == Combine::kInterpolate) {
+    return hn::Add(multiply(a0, a2), multiply(a1, hn::Sub(one, a2)));
+  } else {
+    return hn::Sub(a0, a1);
+  }
+}
+
+// Scale by 1, 2 or 4 and clamp: clamping to 1/scale first keeps the product in range.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V scale_and_clamp(D d, V v, int scale_log2) {
+  v = hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, static_cast<int16_t>(kColourOne >> scale_log2)));
+  if (scale_log2 == 1) return hn::ShiftLeft<1>(v);
+  if (scale_log2 == 2) return hn::ShiftLeft<2>(v);
+  return v;
+}
+
+template <Combine kCombine>
+void combine_channel(const CombinerInput* in, int scale_log2, int count, int16_t* out) {
+  const hn::ScalableTag<int16_t> d;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto v = combine<kCombine>(d, in[0].load(d, i), in[1].load(d, i), in[2].load(d, i));
+    hn::Store(scale_and_clamp(d, v, scale_log2), d, out + i);
+  }
+}
+
+// 4 * ((r0-1/2)(r1-1/2) + (g0-1/2)(g1-1/2) + (b0-1/2)(b1-1/2)), the same in every channel written.
+inline void combine_dot3(const CombinerInput in[3][3], int scale_log2, int count, int channels,
+                         int16_t (*out)[kBatchSize]) {
+  const hn::ScalableTag<int16_t> d;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    auto sum = hn::Zero(d);
+    for (int c = 0; c < 3; ++c) {
+      sum =
+          hn::Add(sum, multiply(centred(d, in[c][0].load(d, i)), centred(d, in[c][1].load(d, i))));
+    }
+    const auto v = scale_and_clamp(d, sum, 2);
+    for (int c = 0; c < channels; ++c) {
+      hn::Store(scale_and_clamp(d, v, scale_log2), d, out[c] + i);
+    }
+  }
+}
+
+inline void combine_channel_any(Combine function, const CombinerInput* in, int scale_log2,
+                                int count, int16_t* out) {
+  switch (function) {
+    case Combine::kReplace:
+      return combine_channel<Combine::kReplace>(in, scale_log2, count, out);
+    case Combine::kModulate:
+      return combine_channel<Combine::kModulate>(in, scale_log2, count, out);
+    case Combine::kAdd:
+      return combine_channel<Combine::kAdd>(in, scale_log2, count, out);
+    case Combine::kAddSigned:
+      return combine_channel<Combine::kAddSigned>(in, scale_log2, count, out);
+    case Combine::kInterpolate:
+      return combine_channel<Combine::kInterpolate>(in, scale_log2, count, out);
+    default:
+      return combine_channel<Combine::kSubtract>(in, scale_log2, count, out);
+  }
+}
+
+// The unit's environment: batch.previous becomes its result. Colours come before alpha, because
+// they may read the previous alpha.
+inline void texture_environment(const Combiner& combiner, const int16_t* constant,
+                                FragmentBatch& batch) {
+  CombinerInput alpha[3];
+  CombinerInput rgb[3][3];
+  for (int k = 0; k < 3; ++k) {
+    alpha[k] = combiner_input(combiner.alpha_argument[k], 3, constant, batch);
+    for (int c = 0; c < 3; ++c) {
+      rgb[c][k] = combiner_input(combiner.rgb_argument[k], c, constant, batch);
+    }
+  }
+  if (combiner.rgb == Combine::kDot3Rgba) {
+    combine_dot3(rgb, combiner.rgb_scale_log2, batch.count, 4, batch.previous);
+    return;
+  }
+  if (combiner.rgb == Combine::kDot3Rgb) {
+    combine_dot3(rgb, combiner.rgb_scale_log2, batch.count, 3, batch.previous);
+  } else {
+    for (int c = 0; c < 3; ++c) {
+      combine_channel_any(combiner.rgb, rgb[c], combiner.rgb_scale_log2, batch.count,
+                          batch.previous[c]);
+    }
+  }
+  combine_channel_any(combiner.alpha, alpha, combiner.alpha_scale_log2, batch.count,
+                      batch.previous[3]);
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

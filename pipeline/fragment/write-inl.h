@@ -1,0 +1,96 @@
+// The end of a fragment (4.1.7 to 4.2.2): blending or the logical operation, the colour mask, and
+// the store into the tile.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_WRITE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_WRITE_INL_H_
+#undef CLEARPIPE_FRAGMENT_WRITE_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_WRITE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/blend-inl.h"
+#include "pipeline/fragment/colour-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The final colour as packed RGBA8.
+inline void pack_colour(const int16_t (*colour)[kBatchSize], int count, uint32_t* out) {
+  const hn::ScalableTag<int16_t> d;
+  const hn::Rebind<uint8_t, decltype(d)> d8;
+  auto* bytes = reinterpret_cast<uint8_t*>(out);
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto r = hn::DemoteTo(d8, to_unorm8(d, hn::Load(d, colour[0] + i)));
+    const auto g = hn::DemoteTo(d8, to_unorm8(d, hn::Load(d, colour[1] + i)));
+    const auto b = hn::DemoteTo(d8, to_unorm8(d, hn::Load(d, colour[2] + i)));
+    const auto a = hn::DemoteTo(d8, to_unorm8(d, hn::Load(d, colour[3] + i)));
+    hn::StoreInterleaved4(r, g, b, a, d8, bytes + 4 * i);
+  }
+}
+
+// Blends batch.colour over batch.stored_colour; the result replaces batch.colour.
+inline void blend_stage(const BlendState& state, FragmentBatch& batch) {
+  const hn::ScalableTag<uint16_t> d;
+  const hn::Rebind<uint8_t, decltype(d)> d8;
+  using V = hn::Vec<decltype(d)>;
+  auto* source = reinterpret_cast<uint8_t*>(batch.colour);
+  const auto* destination = reinterpret_cast<const uint8_t*>(batch.stored_colour);
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    hn::Vec<decltype(d8)> s8[4], d8v[4];
+    hn::LoadInterleaved4(d8, source + 4 * i, s8[0], s8[1], s8[2], s8[3]);
+    hn::LoadInterleaved4(d8, destination + 4 * i, d8v[0], d8v[1], d8v[2], d8v[3]);
+    BlendOperands<V> in;
+    in.source_alpha = hn::PromoteTo(d, s8[3]);
+    in.destination_alpha = hn::PromoteTo(d, d8v[3]);
+    for (int c = 0; c < 4; ++c) {
+      in.source = hn::PromoteTo(d, s8[c]);
+      in.destination = hn::PromoteTo(d, d8v[c]);
+      const bool alpha = c == 3;
+      const V result =
+          blend(d, alpha ? state.alpha : state.rgb, alpha ? state.src_alpha : state.src_rgb,
+                alpha ? state.dst_alpha : state.dst_rgb, alpha, in);
+      s8[c] = hn::DemoteTo(d8, hn::BitCast(hn::RebindToSigned<decltype(d)>(), result));
+    }
+    hn::StoreInterleaved4(s8[0], s8[1], s8[2], s8[3], d8, source + 4 * i);
+  }
+}
+
+// Table 4.6, as the disjunction of the four minterms that the operation's truth table selects.
+inline void logic_op_stage(LogicOp op, FragmentBatch& batch) {
+  const hn::ScalableTag<uint32_t> d;
+  const uint8_t truth = static_cast<uint8_t>(op);  // the value is its truth table
+  const auto selected = [&](int bit) { return hn::Set(d, (truth >> bit & 1) != 0 ? ~0u : 0u); };
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto s = hn::Load(d, batch.colour + i);
+    const auto t = hn::Load(d, batch.stored_colour + i);
+    auto result = hn::And(hn::And(s, t), selected(0));
+    result = hn::Or(result, hn::And(hn::AndNot(t, s), selected(1)));
+    result = hn::Or(result, hn::And(hn::AndNot(s, t), selected(2)));
+    result = hn::Or(result, hn::AndNot(hn::Or(s, t), selected(3)));
+    hn::Store(result, d, batch.colour + i);
+  }
+}
+
+// Dead fragments and masked components keep what is stored.
+inline void mask_stage(uint32_t colour_mask, FragmentBatch& batch) {
+  const hn::ScalableTag<uint32_t> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const hn::Rebind<int16_t, decltype(d)> d16;
+  const auto writable = hn::Set(d, colour_mask);
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto live = hn::BitCast(d, hn::PromoteTo(di, hn::Load(d16, batch.live + i)));
+    const auto change = hn::And(live, writable);
+    const auto stored = hn::Load(d, batch.stored_colour + i);
+    hn::Store(hn::Or(hn::And(hn::Load(d, batch.colour + i), change), hn::AndNot(change, stored)), d,
+              batch.colour + i);
+  }
+}
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,41 @@
+// The choice of the SIMD target: see simd.h.
+// SPDX-License-Identifier: MIT
+#include "pipeline/simd.h"
+
+#include <cstdlib>
+#include <mutex>
+#include <string_view>
+
+#include <hwy/highway.h>
+
+namespace clearpipe::pipeline {
+
+namespace {
+
+// The targets better than the one named, which are then not used.
+int64_t better_than(std::string_view name) {
+  constexpr int64_t kAvx512 = HWY_AVX3 | HWY_AVX3_DL;
+  if (name == "scalar") return kAvx512 | HWY_AVX2 | HWY_SSE4 | HWY_SSSE3 | HWY_NEON;
+  if (name == "sse4") return kAvx512 | HWY_AVX2;
+  if (name == "avx2") return kAvx512;
+  return 0;
+}
+
+}  // namespace
+
+void select_simd_target() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    if (const char* name = std::getenv("CLEARPIPE_SIMD")) {
+      hwy::DisableTargets(better_than(name));
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  });
+}
+
+const char* simd_target_name() {
+  select_simd_target();
+  return hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets());
+}
+
+}  // namespace clearpipe::pipeline
