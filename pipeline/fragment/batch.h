@@ -15,6 +15,11 @@ namespace clearpipe::pipeline {
 inline constexpr int kBatchSize = 128;
 inline constexpr int16_t kColourOne = 1 << 13;
 
+// An 8-bit colour component as the nearest fixed-point value.
+constexpr int16_t colour_from_unorm8(int v) {
+  return static_cast<int16_t>((v << 5) + (((v << 6) + (v >> 2) + 256) >> 9));
+}
+
 struct FragmentBatch {
   int count = 0;  // fragments in use; the rest of the last vector holds harmless copies
 

@@ -15,10 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// v/255 of an 8-bit value: 8192 * v / 255 within half a unit, exact for 0 and 255.
-template <class V>
-HWY_INLINE V from_unorm8(V v) {
-  return hn::Add(hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(v)), hn::ShiftRight<7>(v));
+// colour_from_unorm8 (batch.h) of a vector: 8192 * v / 255, rounded to nearest.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V from_unorm8(D d, V v) {
+  const V rest = hn::Add(hn::Add(hn::ShiftLeft<6>(v), hn::ShiftRight<2>(v)), hn::Set(d, 256));
+  return hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<9>(rest));
 }
 
 // The nearest 8-bit value of a colour in [0, 1]; gives back what from_unorm8 was given.

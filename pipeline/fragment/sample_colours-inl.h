@@ -19,6 +19,7 @@
 #endif
 
 #include "hwy/highway.h"
+#include "pipeline/fragment/colour-inl.h"
 #include "pipeline/fragment/sample_axis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -49,7 +50,7 @@ HWY_INLINE Colours unpack(VecInt texels) {
 
 HWY_INLINE Colours widen(Colours c) {
   for (VecInt& v : c.channel) {
-    v = hn::Add(hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(v)), hn::ShiftRight<7>(v));
+    v = fragment::HWY_NAMESPACE::from_unorm8(TagInt(), v);
   }
   return c;
 }
@@ -105,7 +106,7 @@ HWY_INLINE Colours unpack(VecInt texels) {
 
 // 8 bits to 13 fraction bits, exact at both ends.
 HWY_INLINE VecPairs widen(VecPairs v) {
-  return hn::Add(hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(v)), hn::ShiftRight<7>(v));
+  return fragment::HWY_NAMESPACE::from_unorm8(TagPairs(), v);
 }
 HWY_INLINE Colours widen(const Colours& c) { return {widen(c.rb), widen(c.ga)}; }
 

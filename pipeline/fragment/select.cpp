@@ -23,7 +23,7 @@ int16_t alpha_reference(float reference) {
   const float scaled = reference * 255.0f;
   const int nearest = static_cast<int>(std::nearbyint(scaled));
   if (std::fabs(scaled - static_cast<float>(nearest)) < 1e-3f) {
-    return static_cast<int16_t>((nearest << 5) + (nearest >> 3) + (nearest >> 7));
+    return colour_from_unorm8(nearest);
   }
   return to_fixed(reference);
 }
