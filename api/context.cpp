@@ -1,0 +1,74 @@
+// The life of a context and its binding to a thread.
+// SPDX-License-Identifier: MIT
+#include "api/context.h"
+
+#include <algorithm>
+#include <new>
+
+#include "api/context_state.h"
+#include "pipeline/simd.h"
+
+namespace clearpipe::api {
+
+namespace {
+#if defined(__GNUC__)
+__attribute__((tls_model("initial-exec")))
+#endif
+thread_local Context* current = nullptr;
+}  // namespace
+
+Context* create_context(Context* share) noexcept try {
+  auto context = std::make_unique<Context>();
+  context->share = share ? share->share : std::make_shared<ShareGroup>();
+  for (TextureUnitState& unit : context->state.texture.unit) {
+    unit.texture = context->default_texture;
+  }
+  pipeline::select_simd_target();
+  context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
+  return context.release();
+} catch (...) {
+  return nullptr;
+}
+
+void destroy_context(Context* context) noexcept {
+  if (!context) return;
+  finish(context);
+  if (current == context) current = nullptr;
+  delete context;
+}
+
+bool make_current(Context* context, const pipeline::Target& draw,
+                  const pipeline::Target& read) noexcept {
+  if (current) finish(current);
+  current = context;
+  if (!context) return true;
+  set_targets(context, draw, read);
+  if (!context->was_current) {
+    context->was_current = true;
+    GLint* viewport = context->state.transform.viewport;
+    GLint* scissor = context->state.pixel.scissor;
+    viewport[2] = scissor[2] = std::min(draw.width, kMaxViewport);
+    viewport[3] = scissor[3] = std::min(draw.height, kMaxViewport);
+  }
+  return true;
+}
+
+Context* current_context() noexcept { return current; }
+
+void finish(Context* context) noexcept try {
+  context->frame.finish();
+} catch (...) {
+  context->set_error(GL_OUT_OF_MEMORY);
+}
+
+void set_targets(Context* context, const pipeline::Target& draw,
+                 const pipeline::Target& read) noexcept try {
+  context->draw = draw;
+  context->read = read;
+  context->frame.set_target(draw);
+  context->dirty = kDirtyAll;
+} catch (...) {
+  context->set_error(GL_OUT_OF_MEMORY);
+}
+
+}  // namespace clearpipe::api

@@ -1,0 +1,38 @@
+// Contexts as icd/ sees them: created, made current with targets to draw to and read from, and
+// asked for the address of an entry point. Everything else of a context is private to api/.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pipeline/surface.h"
+
+namespace clearpipe::api {
+
+struct Context;
+
+// Null when memory does not suffice. Textures and buffers are shared with `share` if given.
+Context* create_context(Context* share) noexcept;
+
+// The context must not be current to any thread.
+void destroy_context(Context* context) noexcept;
+
+// Binds the context to this thread; a former one is flushed. Null releases. Targets without a
+// colour buffer are allowed: draws then give INVALID_FRAMEBUFFER_OPERATION. The first call sets
+// viewport and scissor box to the size of `draw` (2.10.1, 4.1.2). False: out of memory.
+bool make_current(Context* context, const pipeline::Target& draw,
+                  const pipeline::Target& read) noexcept;
+
+Context* current_context() noexcept;
+
+// Executes everything recorded: the draw target then holds the result.
+void finish(Context* context) noexcept;
+
+// Replaces the targets, for a surface that was resized or swapped. Finish first.
+void set_targets(Context* context, const pipeline::Target& draw,
+                 const pipeline::Target& read) noexcept;
+
+using Proc = void (*)();
+
+// The entry point of that name, or null.
+Proc proc_address(const char* name) noexcept;
+
+}  // namespace clearpipe::api

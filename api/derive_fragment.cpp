@@ -1,0 +1,254 @@
+// Fragment state from GL state: samplers, texture environments as combiners, fog, and the
+// per-fragment operations (3.7, 3.8, 4.1).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "api/context_state.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+using pipeline::BlendEquation;
+using pipeline::BlendFactor;
+using pipeline::Combine;
+using pipeline::CombineArgument;
+using pipeline::CombineOperand;
+using pipeline::Combiner;
+using pipeline::CombineSource;
+using pipeline::Filter;
+using pipeline::MipFilter;
+using pipeline::StencilOp;
+using pipeline::Wrap;
+
+pipeline::CompareFunc compare(GLenum func) {
+  return static_cast<pipeline::CompareFunc>(func - GL_NEVER);
+}
+
+Wrap wrap(GLenum mode) {
+  return mode == GL_CLAMP_TO_EDGE           ? Wrap::kClampToEdge
+         : mode == GL_MIRRORED_REPEAT_OES ? Wrap::kMirroredRepeat
+                                            : Wrap::kRepeat;
+}
+
+pipeline::Sampler derive_sampler(const TextureObject& texture) {
+  pipeline::Sampler s;
+  s.wrap_s = wrap(texture.wrap_s);
+  s.wrap_t = wrap(texture.wrap_t);
+  s.mag = texture.mag_filter == GL_LINEAR ? Filter::kLinear : Filter::kNearest;
+  const GLenum min = texture.min_filter;
+  s.min = min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_LINEAR
+              ? Filter::kLinear
+              : Filter::kNearest;
+  if (!is_mipmap_filter(min)) {
+    s.mip = MipFilter::kNone;
+    return s;
+  }
+  s.mip = min == GL_NEAREST_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_NEAREST ? MipFilter::kNearest
+                                                                              : MipFilter::kLinear;
+  for (int size = std::max(texture.level[0].width, texture.level[0].height); size > 1; size /= 2) {
+    ++s.max_level;
+  }
+  return s;
+}
+
+Combine combine(GLenum mode) {
+  switch (mode) {
+    case GL_REPLACE: return Combine::kReplace;
+    case GL_MODULATE: return Combine::kModulate;
+    case GL_ADD: return Combine::kAdd;
+    case GL_ADD_SIGNED: return Combine::kAddSigned;
+    case GL_INTERPOLATE: return Combine::kInterpolate;
+    case GL_SUBTRACT: return Combine::kSubtract;
+    case GL_DOT3_RGB: return Combine::kDot3Rgb;
+    default: return Combine::kDot3Rgba;
+  }
+}
+
+CombineSource at_unit(size_t unit) { return static_cast<CombineSource>(unit); }
+
+CombineArgument argument(GLenum source, GLenum operand, size_t unit) {
+  CombineArgument a;
+  switch (source) {
+    case GL_TEXTURE: a.source = at_unit(unit); break;
+    case GL_CONSTANT: a.source = CombineSource::kConstant; break;
+    case GL_PRIMARY_COLOR: a.source = CombineSource::kPrimaryColour; break;
+    case GL_PREVIOUS: a.source = CombineSource::kPrevious; break;
+    default: a.source = at_unit(source - GL_TEXTURE0); break;
+  }
+  a.operand = operand == GL_SRC_COLOR             ? CombineOperand::kColour
+              : operand == GL_ONE_MINUS_SRC_COLOR ? CombineOperand::kOneMinusColour
+              : operand == GL_SRC_ALPHA           ? CombineOperand::kAlpha
+                                                  : CombineOperand::kOneMinusAlpha;
+  return a;
+}
+
+uint8_t scale_log2(float scale) { return scale == 4 ? 2 : scale == 2 ? 1 : 0; }
+
+Combiner derive_combine(const TextureUnitState& s, size_t unit) {
+  Combiner c;
+  c.rgb = combine(s.combine_rgb);
+  c.alpha = combine(s.combine_alpha);
+  for (size_t i = 0; i < 3; ++i) {
+    c.rgb_argument[i] = argument(s.src_rgb[i], s.operand_rgb[i], unit);
+    c.alpha_argument[i] = argument(s.src_alpha[i], s.operand_alpha[i], unit);
+  }
+  c.rgb_scale_log2 = scale_log2(s.rgb_scale);
+  c.alpha_scale_log2 = scale_log2(s.alpha_scale);
+  return c;
+}
+
+// The environments of tables 3.15 and 3.16. A component the texture's base format lacks leaves the
+// previous value, except for BLEND and ADD of alpha formats, which the tables spell out.
+Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
+  const CombineArgument texture{at_unit(unit), CombineOperand::kColour};
+  const CombineArgument texture_alpha{at_unit(unit), CombineOperand::kAlpha};
+  const CombineArgument previous{CombineSource::kPrevious, CombineOperand::kColour};
+  const CombineArgument previous_alpha{CombineSource::kPrevious, CombineOperand::kAlpha};
+  const CombineArgument constant{CombineSource::kConstant, CombineOperand::kColour};
+  const bool has_colour = format != GL_ALPHA;
+  const bool has_alpha = format == GL_ALPHA || format == GL_LUMINANCE_ALPHA || format == GL_RGBA;
+
+  Combiner c;
+  c.rgb_argument.fill(previous);
+  c.alpha_argument.fill(previous_alpha);
+  if (mode == GL_DECAL) {
+    // Cp (1 - At) + Ct At; the alpha is the previous one. Without alpha, Ct. Undefined for others.
+    if (format == GL_RGBA) {
+      c.rgb = Combine::kInterpolate;
+      c.rgb_argument = {texture, previous, texture_alpha};
+    } else if (format == GL_RGB) {
+      c.rgb_argument[0] = texture;
+    }
+    return c;
+  }
+  if (has_colour) {
+    switch (mode) {
+      case GL_REPLACE: c.rgb_argument[0] = texture; break;
+      case GL_MODULATE:
+        c.rgb = Combine::kModulate;
+        c.rgb_argument = {previous, texture, previous};
+        break;
+      case GL_BLEND:  // Cp (1 - Ct) + Cc Ct
+        c.rgb = Combine::kInterpolate;
+        c.rgb_argument = {constant, previous, texture};
+        break;
+      default:
+        c.rgb = Combine::kAdd;
+        c.rgb_argument = {previous, texture, previous};
+        break;
+    }
+  }
+  if (has_alpha) {
+    if (mode == GL_REPLACE) {
+      c.alpha_argument[0] = texture_alpha;
+    } else {
+      c.alpha = Combine::kModulate;
+      c.alpha_argument = {previous_alpha, texture_alpha, previous_alpha};
+    }
+  }
+  return c;
+}
+
+StencilOp stencil_op(GLenum op) {
+  switch (op) {
+    case GL_ZERO: return StencilOp::kZero;
+    case GL_REPLACE: return StencilOp::kReplace;
+    case GL_INCR: return StencilOp::kIncrement;
+    case GL_DECR: return StencilOp::kDecrement;
+    case GL_INVERT: return StencilOp::kInvert;
+    case GL_INCR_WRAP_OES: return StencilOp::kIncrementWrap;
+    case GL_DECR_WRAP_OES: return StencilOp::kDecrementWrap;
+    default: return StencilOp::kKeep;
+  }
+}
+
+BlendFactor blend_factor(GLenum factor) {
+  switch (factor) {
+    case GL_ZERO: return BlendFactor::kZero;
+    case GL_ONE: return BlendFactor::kOne;
+    case GL_SRC_COLOR: return BlendFactor::kSrcColour;
+    case GL_ONE_MINUS_SRC_COLOR: return BlendFactor::kOneMinusSrcColour;
+    case GL_DST_COLOR: return BlendFactor::kDstColour;
+    case GL_ONE_MINUS_DST_COLOR: return BlendFactor::kOneMinusDstColour;
+    case GL_SRC_ALPHA: return BlendFactor::kSrcAlpha;
+    case GL_ONE_MINUS_SRC_ALPHA: return BlendFactor::kOneMinusSrcAlpha;
+    case GL_DST_ALPHA: return BlendFactor::kDstAlpha;
+    case GL_ONE_MINUS_DST_ALPHA: return BlendFactor::kOneMinusDstAlpha;
+    default: return BlendFactor::kSrcAlphaSaturate;
+  }
+}
+
+BlendEquation blend_equation(GLenum equation) {
+  return equation == GL_FUNC_ADD_OES        ? BlendEquation::kAdd
+         : equation == GL_FUNC_SUBTRACT_OES ? BlendEquation::kSubtract
+                                            : BlendEquation::kReverseSubtract;
+}
+
+void derive_pixel(const Context& context, pipeline::FragmentState& f) {
+  const PixelState& p = context.state.pixel;
+  const FramebufferState& fb = context.state.framebuffer;
+  const auto& planes = context.draw.depth_stencil;
+  f.alpha_test = p.alpha_test;
+  f.alpha_func = compare(p.alpha_func);
+  f.alpha_reference = p.alpha_reference;
+  f.stencil.enabled = p.stencil_test && planes && planes->has_stencil;
+  f.stencil.func = compare(p.stencil_func);
+  f.stencil.reference = static_cast<uint8_t>(std::clamp(p.stencil_reference, 0, 255));
+  f.stencil.value_mask = static_cast<uint8_t>(p.stencil_value_mask);
+  f.stencil.write_mask = static_cast<uint8_t>(fb.stencil_mask);
+  f.stencil.fail = stencil_op(p.stencil_fail);
+  f.stencil.depth_fail = stencil_op(p.stencil_depth_fail);
+  f.stencil.pass = stencil_op(p.stencil_pass);
+  f.depth_test = p.depth_test && planes && planes->has_depth;
+  f.depth_write = fb.depth_mask;
+  f.depth_func = compare(p.depth_func);
+  // Blending is off while the logical operation is on (4.1.8).
+  f.blend.enabled = p.blend && !p.logic_op_enabled;
+  f.blend.src_rgb = blend_factor(p.src_rgb);
+  f.blend.dst_rgb = blend_factor(p.dst_rgb);
+  f.blend.src_alpha = blend_factor(p.src_alpha);
+  f.blend.dst_alpha = blend_factor(p.dst_alpha);
+  f.blend.rgb = blend_equation(p.equation_rgb);
+  f.blend.alpha = blend_equation(p.equation_alpha);
+  f.logic_op_enabled = p.logic_op_enabled;
+  f.logic_op = static_cast<pipeline::LogicOp>(p.logic_op - GL_CLEAR);
+  f.colour_mask = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    if (fb.colour_mask[i]) f.colour_mask = static_cast<uint8_t>(f.colour_mask | 1u << i);
+  }
+}
+
+}  // namespace
+
+void derive_fragment(Context& context) {
+  const State& s = context.state;
+  pipeline::FragmentState& f = context.fragment_state;
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& from = s.texture.unit[u];
+    pipeline::TextureUnit& unit = f.unit[u];
+    unit.enabled = from.enabled && is_complete(*from.texture);
+    if (!unit.enabled) {
+      if (unit.image) unit = {};
+      continue;
+    }
+    unit.image = from.texture->image;
+    unit.sampler = derive_sampler(*from.texture);
+    unit.combiner = from.env_mode == GL_COMBINE
+                        ? derive_combine(from, u)
+                        : derive_classic(from.env_mode, from.texture->level[0].format, u);
+    unit.constant = from.env_colour;
+  }
+  f.fog = !s.fog.enabled             ? pipeline::FogMode::kNone
+          : s.fog.mode == GL_LINEAR ? pipeline::FogMode::kLinear
+          : s.fog.mode == GL_EXP    ? pipeline::FogMode::kExp
+                                    : pipeline::FogMode::kExp2;
+  f.fog_density = s.fog.density;
+  f.fog_start = s.fog.start;
+  f.fog_end = s.fog.end;
+  f.fog_colour = s.fog.colour;
+  derive_pixel(context, f);
+  context.frame.set_fragment_state(f);
+}
+
+}  // namespace clearpipe::api

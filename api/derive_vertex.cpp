@@ -1,0 +1,107 @@
+// Vertex state from GL state: matrices, lights, materials, clip planes and points (2.10 to 2.12,
+// 3.3).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "api/context_state.h"
+#include "api/matrix.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+Vec4 unit(const Vec4& v) {
+  const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  if (!(length > 0)) return {v.x, v.y, v.z, 0};
+  return {v.x / length, v.y / length, v.z / length, 0};
+}
+
+pipeline::Light derive_light(const LightState& s) {
+  pipeline::Light l;
+  l.enabled = s.enabled;
+  l.ambient = s.ambient;
+  l.diffuse = s.diffuse;
+  l.specular = s.specular;
+  l.positional = s.position.w != 0;
+  if (l.positional) {
+    const float w = s.position.w;
+    l.position = {s.position.x / w, s.position.y / w, s.position.z / w, 1};
+  } else {
+    l.position = unit(s.position);
+    l.half_vector = unit({l.position.x, l.position.y, l.position.z + 1, 0});
+  }
+  l.spot = s.spot_cutoff != 180;
+  l.spot_direction = unit(s.spot_direction);
+  l.spot_exponent = s.spot_exponent;
+  double sine, cosine;
+  sin_cos(static_cast<double>(s.spot_cutoff) * 3.14159265358979323846 / 180.0, sine, cosine);
+  l.spot_cutoff_cos = static_cast<float>(cosine);
+  std::copy_n(s.attenuation, 3, l.attenuation);
+  l.attenuated = l.positional &&
+                 (s.attenuation[0] != 1 || s.attenuation[1] != 0 || s.attenuation[2] != 0);
+  return l;
+}
+
+}  // namespace
+
+void derive_vertex(Context& context) {
+  const State& s = context.state;
+  pipeline::VertexState& v = context.vertex_state;
+  v.model_view = s.transform.modelview.top();
+  v.model_view_projection = multiply(s.transform.projection.top(), v.model_view);
+
+  v.lighting = s.lighting.enabled;
+  if (v.lighting) {
+    // The normal matrix is the transpose of the inverse; RESCALE_NORMAL uses the inverse's third
+    // row (2.10.3).
+    const Mat4 inverse = invert(v.model_view);
+    for (size_t col = 0; col < 3; ++col) {
+      for (size_t row = 0; row < 3; ++row) v.normal_matrix[3 * col + row] = inverse.m[4 * row + col];
+    }
+    const float f = inverse.m[2] * inverse.m[2] + inverse.m[6] * inverse.m[6] +
+                    inverse.m[10] * inverse.m[10];
+    v.rescale = f > 1e-12f ? 1.0f / std::sqrt(f) : 1.0f;
+    v.rescale_normal = s.transform.rescale_normal;
+    v.normalize = s.transform.normalize;
+    v.two_sided = s.lighting.two_sided;
+    v.colour_material = s.lighting.colour_material;
+    v.scene_ambient = s.lighting.model_ambient;
+    v.material = {s.lighting.ambient, s.lighting.diffuse, s.lighting.specular, s.lighting.emission,
+                  s.lighting.shininess};
+    for (size_t i = 0; i < v.lights.size(); ++i) v.lights[i] = derive_light(s.lighting.light[i]);
+  } else {
+    v.two_sided = false;
+  }
+  v.fog = s.fog.enabled;
+
+  v.texture_units = 0;
+  v.texture_matrix = 0;
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (!s.texture.unit[u].enabled || !is_complete(*s.texture.unit[u].texture)) continue;
+    v.texture_units = static_cast<uint8_t>(v.texture_units | 1u << u);
+    const Mat4& matrix = s.transform.texture[u].top();
+    if (!is_identity(matrix)) {
+      v.texture_matrix = static_cast<uint8_t>(v.texture_matrix | 1u << u);
+      v.texture_matrices[u] = matrix;
+    }
+  }
+
+  v.clip_planes = 0;
+  for (size_t i = 0; i < kClipPlanes; ++i) {
+    if (!s.transform.clip_plane_enabled[i]) continue;
+    v.clip_planes = static_cast<uint8_t>(v.clip_planes | 1u << i);
+    v.clip_plane[i] = s.transform.clip_plane[i];
+  }
+
+  v.point_size = s.raster.point_size;
+  v.point_size_min = s.raster.point_size_min;
+  v.point_size_max = std::min(s.raster.point_size_max, kMaxPointSize);
+  v.point_fade_threshold = s.raster.point_fade_threshold;
+  std::copy_n(s.raster.point_attenuation, 3, v.point_attenuation);
+  v.point_attenuated =
+      v.point_attenuation[0] != 1 || v.point_attenuation[1] != 0 || v.point_attenuation[2] != 0;
+  context.frame.set_vertex_state(v);
+}
+
+}  // namespace clearpipe::api

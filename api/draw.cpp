@@ -1,0 +1,185 @@
+// Drawing, clearing and reading pixels (2.8, 4.2.3, 4.3): commands for the pipeline built from
+// vertex arrays and current values.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+
+#include "api/exec.h"
+
+namespace clearpipe::api::exec {
+
+namespace {
+
+using pipeline::AttributeSource;
+using pipeline::ComponentType;
+
+ComponentType component_type(GLenum type) {
+  switch (type) {
+    case GL_BYTE: return ComponentType::kByte;
+    case GL_UNSIGNED_BYTE: return ComponentType::kUnsignedByte;
+    case GL_SHORT: return ComponentType::kShort;
+    case GL_FIXED: return ComponentType::kFixed;
+    default: return ComponentType::kFloat;
+  }
+}
+
+uint32_t component_bytes(GLenum type) {
+  return type == GL_BYTE || type == GL_UNSIGNED_BYTE ? 1 : type == GL_SHORT ? 2 : 4;
+}
+
+// False when the array has no element to read.
+bool bind_array(const ArrayState& array, bool normalized, AttributeSource& source) {
+  const uint32_t bytes = component_bytes(array.type) * static_cast<uint32_t>(array.size);
+  source.is_array = true;
+  source.type = component_type(array.type);
+  source.size = static_cast<uint8_t>(array.size);
+  source.normalized = normalized && array.type != GL_FLOAT && array.type != GL_FIXED;
+  source.stride = array.stride != 0 ? static_cast<uint32_t>(array.stride) : bytes;
+  source.max_index = 0xffffffffu;
+  if (!array.buffer) {
+    source.pointer = static_cast<const std::byte*>(array.pointer);
+    return source.pointer != nullptr;
+  }
+  const size_t offset = reinterpret_cast<uintptr_t>(array.pointer);
+  const size_t size = array.buffer->data->size();
+  if (offset > size || size - offset < bytes) return false;
+  source.buffer = array.buffer->data;
+  source.pointer = array.buffer->data->data() + offset;
+  source.max_index = static_cast<uint32_t>(
+      std::min<size_t>((size - offset - bytes) / source.stride, 0xfffffffeu));
+  return true;
+}
+
+bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
+  const ArraysState& a = c.state.arrays;
+  const CurrentState& current = c.state.current;
+  auto bind = [&command](size_t slot, const ArrayState& array, bool normalized,
+                         const Vec4& constant) {
+    AttributeSource& source = command.attributes[slot];
+    source.constant = constant;
+    return !array.enabled || bind_array(array, normalized, source);
+  };
+  if (!a.vertex.enabled) return false;
+  const float size = c.state.raster.point_size;
+  if (!bind(0, a.vertex, false, {0, 0, 0, 1}) || !bind(1, a.normal, true, current.normal) ||
+      !bind(2, a.colour, true, current.colour) ||
+      !bind(3, a.point_size, false, {size, 0, 0, 1})) {
+    return false;
+  }
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (!bind(4 + u, a.tex_coord[u], false, current.tex_coord[u])) {
+      // An array nobody samples with does not matter.
+      if (c.vertex_state.texture_units >> u & 1) return false;
+      command.attributes[4 + u].is_array = false;
+    }
+  }
+  return true;
+}
+
+// Textures may have been changed through another context: what a unit samples is compared.
+void notice_shared_textures(Context& c) {
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& unit = c.state.texture.unit[u];
+    if (unit.enabled && c.fragment_state.unit[u].image != unit.texture->image) {
+      c.dirty |= kDirtyTexture;
+    }
+  }
+}
+
+void update_state(Context& c) {
+  notice_shared_textures(c);
+  if (c.dirty & kDirtyVertex) derive_vertex(c);
+  if (c.dirty & kDirtyRaster) derive_raster(c);
+  if (c.dirty & kDirtyFragment) derive_fragment(c);
+  c.dirty = 0;
+}
+
+void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
+  static_assert(GL_POINTS == 0 && GL_TRIANGLE_FAN == 6);
+  command.primitive = static_cast<pipeline::Primitive>(mode);
+  if (!bind_arrays(c, command)) return;
+  if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
+}
+
+uint32_t unorm8(float value) { return static_cast<uint32_t>(value * 255.0f + 0.5f); }
+
+}  // namespace
+
+void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+  if (count == 0) return;
+  update_state(c);
+  pipeline::DrawCommand command;
+  command.first = static_cast<uint32_t>(first);
+  command.count = static_cast<uint32_t>(count);
+  record(c, command, mode);
+}
+
+void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  if (count == 0) return;
+  update_state(c);
+  pipeline::DrawCommand command;
+  command.count = static_cast<uint32_t>(count);
+  command.index_type = type == GL_UNSIGNED_BYTE    ? pipeline::IndexType::kUnsignedByte
+                       : type == GL_UNSIGNED_SHORT ? pipeline::IndexType::kUnsignedShort
+                                                   : pipeline::IndexType::kUnsignedInt;
+  if (const BufferPtr& buffer = c.state.arrays.element_array_buffer) {
+    command.index_buffer = buffer->data;
+    command.indices = buffer->data->data() + reinterpret_cast<uintptr_t>(indices);
+  } else {
+    command.indices = static_cast<const std::byte*>(indices);
+    if (!indices) return;
+  }
+  record(c, command, mode);
+}
+
+void clear(Context& c, GLbitfield mask) {
+  if (c.dirty & kDirtyRaster) {
+    derive_raster(c);
+    c.dirty &= ~static_cast<uint32_t>(kDirtyRaster);
+  }
+  const FramebufferState& fb = c.state.framebuffer;
+  const Vec4& colour = fb.clear_colour;
+  pipeline::ClearCommand command;
+  command.rect = c.raster_state.scissor;
+  if (command.rect.x0 >= command.rect.x1 || command.rect.y0 >= command.rect.y1) return;
+  const auto& planes = c.draw.depth_stencil;
+  command.colour = (mask & GL_COLOR_BUFFER_BIT) && c.draw.colour;
+  command.depth =
+      (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
+  command.stencil = (mask & GL_STENCIL_BUFFER_BIT) && planes && planes->has_stencil;
+  const bool has_alpha = c.draw.colour && c.draw.colour->has_alpha;
+  command.colour_value = unorm8(colour.x) | unorm8(colour.y) << 8 | unorm8(colour.z) << 16 |
+                         (has_alpha ? unorm8(colour.w) : 255u) << 24;
+  command.colour_mask = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    if (fb.colour_mask[i]) {
+      command.colour_mask = static_cast<uint8_t>(command.colour_mask | 1u << i);
+    }
+  }
+  command.depth_value =
+      static_cast<uint32_t>(static_cast<double>(fb.clear_depth) * 0xffffff + 0.5);
+  command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
+  command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
+  if (!command.colour && !command.depth && !command.stencil) return;
+  if (!c.frame.clear(command)) c.set_error(GL_OUT_OF_MEMORY);
+}
+
+void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
+                 void* pixels) {
+  c.frame.finish();
+  const pipeline::ColourBuffer& from = *c.read.colour;
+  const int64_t alignment = c.state.misc.pack_alignment;
+  const int64_t row_bytes = (4 * static_cast<int64_t>(width) + alignment - 1) / alignment * alignment;
+  const int64_t x0 = std::max<int64_t>(x, 0),
+                x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
+  if (x0 >= x1) return;
+  // Pixels outside of the surface are undefined: they are left alone (4.3.1).
+  for (int64_t row = 0; row < height; ++row) {
+    const int64_t from_y = y + row;
+    if (from_y < 0 || from_y >= from.height) continue;
+    std::memcpy(static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * 4,
+                from.pixels.get() + from_y * from.width + x0, static_cast<size_t>(x1 - x0) * 4);
+  }
+}
+
+}  // namespace clearpipe::api::exec

@@ -1,0 +1,99 @@
+// The C entry points and the lookup of their addresses, expanded from gles1.def.
+//
+// An entry point finds the current context, asks the validator, and executes. Without a current
+// context it does nothing. No exception leaves it.
+// SPDX-License-Identifier: MIT
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <new>
+#include <string_view>
+
+#include "api/exec.h"
+#include "api/validate.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+constexpr float unorm(GLubyte value) { return static_cast<float>(value) / 255.0f; }
+
+// Groups whose calls use objects that other contexts may share.
+constexpr bool uses_objects(std::string_view group) {
+  return group == "texture" || group == "buffer" || group == "draw" || group == "query" ||
+         group == "array";
+}
+
+template <typename Type>
+Type nothing() {
+  return Type();
+}
+
+template <typename Return, bool kUsesObjects, typename Body>
+Return enter(const Body& body) noexcept {
+  Context* context = current_context();
+  if (!context) return Return();
+  try {
+    if constexpr (kUsesObjects) {
+      const std::lock_guard<std::recursive_mutex> lock(context->share->mutex);
+      return body(*context);
+    } else {
+      return body(*context);
+    }
+  } catch (...) {
+    context->set_error(GL_OUT_OF_MEMORY);
+    return Return();
+  }
+}
+
+}  // namespace
+
+#define AFTER_CONTEXT(...) __VA_OPT__(, ) __VA_ARGS__
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages)       \
+  extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
+    return enter<type, uses_objects(#group)>([&](Context& context) -> type {                \
+      const GLenum error = validate::validator(context AFTER_CONTEXT arguments);            \
+      if (error != GL_NO_ERROR) {                                                           \
+        context.set_error(error);                                                           \
+        return nothing<type>(); \
+      }                                                                                     \
+      return exec::executor(context AFTER_CONTEXT arguments);                               \
+    });                                                                                     \
+  }
+#include "api/gles1.def"
+#undef CALL
+
+namespace {
+
+struct NamedProc {
+  const char* name;
+  Proc proc;
+};
+
+const std::array kProcs = [] {
+  std::array procs{
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages) \
+  NamedProc{"gl" #name, reinterpret_cast<Proc>(gl##name)},
+#include "api/gles1.def"
+#undef CALL
+  };
+  std::sort(procs.begin(), procs.end(), [](const NamedProc& a, const NamedProc& b) {
+    return std::strcmp(a.name, b.name) < 0;
+  });
+  return procs;
+}();
+
+}  // namespace
+
+Proc proc_address(const char* name) noexcept {
+  if (!name) return nullptr;
+  const auto found = std::lower_bound(
+      kProcs.begin(), kProcs.end(), name,
+      [](const NamedProc& a, const char* b) { return std::strcmp(a.name, b) < 0; });
+  return found != kProcs.end() && std::strcmp(found->name, name) == 0 ? found->proc : nullptr;
+}
+
+}  // namespace clearpipe::api

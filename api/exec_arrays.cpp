@@ -1,0 +1,119 @@
+// Vertex arrays (2.8) and buffer objects (2.9).
+// SPDX-License-Identifier: MIT
+#include <cstring>
+
+#include "api/exec.h"
+
+namespace clearpipe::api::exec {
+
+namespace {
+
+ArrayState& array_of(Context& c, GLenum array) {
+  ArraysState& a = c.state.arrays;
+  switch (array) {
+    case GL_VERTEX_ARRAY: return a.vertex;
+    case GL_NORMAL_ARRAY: return a.normal;
+    case GL_COLOR_ARRAY: return a.colour;
+    case GL_POINT_SIZE_ARRAY_OES: return a.point_size;
+    default: return a.tex_coord[static_cast<size_t>(a.client_active_texture)];
+  }
+}
+
+void set_pointer(Context& c, GLenum which, GLint size, GLenum type, GLsizei stride,
+                 const void* pointer) {
+  ArrayState& a = array_of(c, which);
+  a.size = size;
+  a.type = type;
+  a.stride = stride;
+  a.pointer = pointer;
+  a.buffer = c.state.arrays.array_buffer;
+}
+
+BufferPtr& binding(Context& c, GLenum target) {
+  return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
+                                   : c.state.arrays.element_array_buffer;
+}
+
+}  // namespace
+
+void client_active_texture(Context& c, GLenum texture) {
+  c.state.arrays.client_active_texture = static_cast<GLint>(texture - GL_TEXTURE0);
+}
+
+void client_state(Context& c, GLenum array, bool value) { array_of(c, array).enabled = value; }
+
+void vertex_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_VERTEX_ARRAY, size, type, stride, pointer);
+}
+
+void color_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_COLOR_ARRAY, size, type, stride, pointer);
+}
+
+void normal_pointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_NORMAL_ARRAY, 3, type, stride, pointer);
+}
+
+void tex_coord_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_TEXTURE_COORD_ARRAY, size, type, stride, pointer);
+}
+
+void point_size_pointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_POINT_SIZE_ARRAY_OES, 1, type, stride, pointer);
+}
+
+void bind_buffer(Context& c, GLenum target, GLuint name) {
+  binding(c, target) = name == 0 ? nullptr : c.share->buffers.bind(name);
+}
+
+void gen_buffers(Context& c, GLsizei n, GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) names[i] = c.share->buffers.generate();
+}
+
+void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
+  ArraysState& a = c.state.arrays;
+  for (GLsizei i = 0; i < n; ++i) {
+    if (names[i] == 0) continue;
+    auto unbind = [name = names[i]](BufferPtr& buffer) {
+      if (buffer && buffer->name == name) buffer = nullptr;
+    };
+    unbind(a.array_buffer);
+    unbind(a.element_array_buffer);
+    // Arrays that lie in the buffer become arrays at address zero: nothing is drawn from them.
+    for (ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) {
+      if (array->buffer && array->buffer->name == names[i]) {
+        array->buffer = nullptr;
+        array->pointer = nullptr;
+      }
+    }
+    for (ArrayState& array : a.tex_coord) {
+      if (array.buffer && array.buffer->name == names[i]) {
+        array.buffer = nullptr;
+        array.pointer = nullptr;
+      }
+    }
+    c.share->buffers.erase(names[i]);
+  }
+}
+
+GLboolean is_buffer(Context& c, GLuint name) { return c.share->buffers.is_object(name); }
+
+void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+  auto store = std::make_shared<pipeline::BufferData>(static_cast<size_t>(size));
+  if (data && size != 0) std::memcpy(store->data(), data, static_cast<size_t>(size));
+  BufferObject& buffer = *binding(c, target);
+  buffer.data = std::move(store);
+  buffer.usage = usage;
+}
+
+void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size,
+                     const void* data) {
+  BufferObject& buffer = *binding(c, target);
+  if (size == 0 || !data) return;
+  if (buffer.data.use_count() > 1) {
+    buffer.data = std::make_shared<pipeline::BufferData>(*buffer.data);
+  }
+  std::memcpy(buffer.data->data() + offset, data, static_cast<size_t>(size));
+}
+
+}  // namespace clearpipe::api::exec

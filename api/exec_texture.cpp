@@ -1,0 +1,77 @@
+// Texture objects, their parameters and the texture environment (3.7.4, 3.7.11, 3.7.12).
+// SPDX-License-Identifier: MIT
+#include "api/exec.h"
+
+namespace clearpipe::api::exec {
+
+void active_texture(Context& c, GLenum texture) {
+  c.state.texture.active = static_cast<GLint>(texture - GL_TEXTURE0);
+}
+
+void bind_texture(Context& c, GLenum, GLuint name) {
+  c.active_unit().texture = name == 0 ? c.default_texture : c.share->textures.bind(name);
+  c.dirty |= kDirtyTexture;
+}
+
+void gen_textures(Context& c, GLsizei n, GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) names[i] = c.share->textures.generate();
+}
+
+void delete_textures(Context& c, GLsizei n, const GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) {
+    if (names[i] == 0) continue;
+    for (TextureUnitState& unit : c.state.texture.unit) {
+      if (unit.texture->name == names[i]) unit.texture = c.default_texture;
+    }
+    c.share->textures.erase(names[i]);
+  }
+  c.dirty |= kDirtyTexture;
+}
+
+GLboolean is_texture(Context& c, GLuint name) { return c.share->textures.is_object(name); }
+
+void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
+  TextureObject& texture = *c.active_unit().texture;
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER: texture.min_filter = p.enumerant(); break;
+    case GL_TEXTURE_MAG_FILTER: texture.mag_filter = p.enumerant(); break;
+    case GL_TEXTURE_WRAP_S: texture.wrap_s = p.enumerant(); break;
+    case GL_TEXTURE_WRAP_T: texture.wrap_t = p.enumerant(); break;
+    default: texture.generate_mipmap = p.boolean(); break;
+  }
+  c.dirty |= kDirtyTexture;
+}
+
+void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
+  TextureUnitState& unit = c.active_unit();
+  c.dirty |= kDirtyFragment | kDirtyRaster;
+  if (target == GL_POINT_SPRITE_OES) {
+    unit.coord_replace = p.boolean();
+    return;
+  }
+  switch (pname) {
+    case GL_TEXTURE_ENV_MODE: unit.env_mode = p.enumerant(); break;
+    case GL_TEXTURE_ENV_COLOR:
+      unit.env_colour = {clamp01(p.colour(0)), clamp01(p.colour(1)), clamp01(p.colour(2)),
+                         clamp01(p.colour(3))};
+      break;
+    case GL_COMBINE_RGB: unit.combine_rgb = p.enumerant(); break;
+    case GL_COMBINE_ALPHA: unit.combine_alpha = p.enumerant(); break;
+    case GL_SRC0_RGB: case GL_SRC1_RGB: case GL_SRC2_RGB:
+      unit.src_rgb[pname - GL_SRC0_RGB] = p.enumerant();
+      break;
+    case GL_SRC0_ALPHA: case GL_SRC1_ALPHA: case GL_SRC2_ALPHA:
+      unit.src_alpha[pname - GL_SRC0_ALPHA] = p.enumerant();
+      break;
+    case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB:
+      unit.operand_rgb[pname - GL_OPERAND0_RGB] = p.enumerant();
+      break;
+    case GL_OPERAND0_ALPHA: case GL_OPERAND1_ALPHA: case GL_OPERAND2_ALPHA:
+      unit.operand_alpha[pname - GL_OPERAND0_ALPHA] = p.enumerant();
+      break;
+    case GL_RGB_SCALE: unit.rgb_scale = p.number(); break;
+    default: unit.alpha_scale = p.number(); break;
+  }
+}
+
+}  // namespace clearpipe::api::exec

@@ -1,0 +1,76 @@
+// The pixel formats of table 3.4 and the compressed palettes of 3.7.1: sizes and conversion to the
+// RGBA8 texels images are made of.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace clearpipe::api {
+
+inline bool is_base_format(GLenum format) {
+  return format >= GL_ALPHA && format <= GL_LUMINANCE_ALPHA;  // ALPHA RGB RGBA LUMINANCE L_A
+}
+
+// Bytes of a pixel; 0 if the pair is none of table 3.4.
+inline size_t pixel_bytes(GLenum format, GLenum type) {
+  switch (type) {
+    case GL_UNSIGNED_BYTE:
+      return format == GL_RGBA              ? 4
+             : format == GL_RGB             ? 3
+             : format == GL_LUMINANCE_ALPHA ? 2
+             : is_base_format(format)       ? 1
+                                            : 0;
+    case GL_UNSIGNED_SHORT_5_6_5: return format == GL_RGB ? 2 : 0;
+    case GL_UNSIGNED_SHORT_4_4_4_4:
+    case GL_UNSIGNED_SHORT_5_5_5_1: return format == GL_RGBA ? 2 : 0;
+    default: return 0;
+  }
+}
+
+inline uint32_t rgba(uint32_t r, uint32_t g, uint32_t b, uint32_t a) {
+  return r | g << 8 | b << 16 | a << 24;
+}
+
+// Components of fewer bits are scaled to 255 and rounded.
+inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
+  const uint32_t s = type == GL_UNSIGNED_BYTE ? 0 : p[0] | static_cast<uint32_t>(p[1]) << 8;
+  auto scaled = [s](uint32_t shift, uint32_t max) {
+    return ((s >> shift & max) * 510 + max) / (2 * max);
+  };
+  switch (type) {
+    case GL_UNSIGNED_SHORT_5_6_5: return rgba(scaled(11, 31), scaled(5, 63), scaled(0, 31), 255);
+    case GL_UNSIGNED_SHORT_4_4_4_4:
+      return rgba(scaled(12, 15), scaled(8, 15), scaled(4, 15), scaled(0, 15));
+    case GL_UNSIGNED_SHORT_5_5_5_1:
+      return rgba(scaled(11, 31), scaled(6, 31), scaled(1, 31), scaled(0, 1));
+    default: break;
+  }
+  switch (format) {
+    case GL_RGBA: return rgba(p[0], p[1], p[2], p[3]);
+    case GL_RGB: return rgba(p[0], p[1], p[2], 255);
+    case GL_LUMINANCE_ALPHA: return rgba(p[0], p[0], p[0], p[1]);
+    case GL_LUMINANCE: return rgba(p[0], p[0], p[0], 255);
+    default: return rgba(0, 0, 0, p[0]);
+  }
+}
+
+struct Palette {
+  int index_bits = 0;  // 0: not a palette format
+  GLenum format = 0, type = 0;
+};
+
+inline Palette palette_of(GLenum internal) {
+  if (internal < GL_PALETTE4_RGB8_OES || internal > GL_PALETTE8_RGB5_A1_OES) return {};
+  const GLenum kind = (internal - GL_PALETTE4_RGB8_OES) % 5;
+  static constexpr GLenum kTypes[5] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT_5_6_5,
+                                       GL_UNSIGNED_SHORT_4_4_4_4, GL_UNSIGNED_SHORT_5_5_5_1};
+  const bool rgb = kind == 0 || kind == 2;
+  return {internal < GL_PALETTE8_RGB8_OES ? 4 : 8, static_cast<GLenum>(rgb ? GL_RGB : GL_RGBA),
+          kTypes[kind]};
+}
+
+}  // namespace clearpipe::api

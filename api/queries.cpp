@@ -1,0 +1,288 @@
+// Queries: state by name from queries.def, and the state of lights, materials, textures and buffers
+// (6.1).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+
+#include "api/exec.h"
+#include "api/validate.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+void put_number(const Out& out, std::initializer_list<float> values) {
+  int i = 0;
+  for (const float v : values) out.number(i++, v);
+}
+void put_colour(const Out& out, std::initializer_list<float> values) {
+  int i = 0;
+  for (const float v : values) out.colour(i++, v);
+}
+void put_integer(const Out& out, std::initializer_list<GLint> values) {
+  int i = 0;
+  for (const GLint v : values) out.integer(i++, v);
+}
+void put_enumerant(const Out& out, std::initializer_list<GLenum> values) {
+  int i = 0;
+  for (const GLenum v : values) out.enumerant(i++, v);
+}
+void put_boolean(const Out& out, std::initializer_list<bool> values) {
+  int i = 0;
+  for (const bool v : values) out.boolean(i++, v);
+}
+void put_vec4(const Out& out, const Vec4& v) { put_colour(out, {v.x, v.y, v.z, v.w}); }
+
+const Mat4* matrix_of(const State& s, size_t active, GLenum pname) {
+  switch (pname) {
+    case GL_MODELVIEW_MATRIX: case GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES:
+      return &s.transform.modelview.top();
+    case GL_PROJECTION_MATRIX: case GL_PROJECTION_MATRIX_FLOAT_AS_INT_BITS_OES:
+      return &s.transform.projection.top();
+    case GL_TEXTURE_MATRIX: case GL_TEXTURE_MATRIX_FLOAT_AS_INT_BITS_OES:
+      return &s.transform.texture[active].top();
+    default: return nullptr;
+  }
+}
+
+// Writes the value of `pname`; false if there is none. `out` may be null, to ask only.
+bool query(const Context& c, GLenum pname, const Out* out) {
+  const State& s = c.state;
+  const size_t active = static_cast<size_t>(s.texture.active);
+  const size_t client = static_cast<size_t>(s.arrays.client_active_texture);
+  if (const Mat4* matrix = matrix_of(s, active, pname)) {
+    const bool bits = pname >= GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES;
+    for (int i = 0; out && i < 16; ++i) {
+      const float value = matrix->m[static_cast<size_t>(i)];
+      if (bits) {
+        out->integer(i, std::bit_cast<GLint>(value));
+      } else {
+        out->number(i, value);
+      }
+    }
+    return true;
+  }
+  switch (pname) {
+#define QUERY(name, kind, ...)                   \
+  case name:                                     \
+    if (out) put_##kind(*out, {__VA_ARGS__});    \
+    return true;
+#include "api/queries.def"
+#undef QUERY
+    default: return false;
+  }
+}
+
+}  // namespace
+
+namespace validate {
+
+GLenum get(const Context& c, GLenum pname, const Out&) {
+  return query(c, pname, nullptr) ? GL_NO_ERROR : is_enabled(c, pname);
+}
+
+GLenum get_string(const Context&, GLenum name) {
+  return name == GL_VENDOR || name == GL_RENDERER || name == GL_VERSION || name == GL_EXTENSIONS
+             ? GL_NO_ERROR
+             : GL_INVALID_ENUM;
+}
+
+GLenum get_pointer(const Context&, GLenum pname, void**) {
+  switch (pname) {
+    case GL_VERTEX_ARRAY_POINTER: case GL_NORMAL_ARRAY_POINTER: case GL_COLOR_ARRAY_POINTER:
+    case GL_TEXTURE_COORD_ARRAY_POINTER: case GL_POINT_SIZE_ARRAY_POINTER_OES:
+      return GL_NO_ERROR;
+    default: return GL_INVALID_ENUM;
+  }
+}
+
+GLenum get_light(const Context&, GLenum light, GLenum pname, const Out&) {
+  const bool known = pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
+                     (pname >= GL_POSITION && pname <= GL_QUADRATIC_ATTENUATION);
+  return known && light >= GL_LIGHT0 && light < GL_LIGHT0 + kLights ? GL_NO_ERROR
+                                                                    : GL_INVALID_ENUM;
+}
+
+GLenum get_material(const Context&, GLenum face, GLenum pname, const Out&) {
+  const bool known = pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
+                     pname == GL_EMISSION || pname == GL_SHININESS;
+  return known && (face == GL_FRONT || face == GL_BACK) ? GL_NO_ERROR : GL_INVALID_ENUM;
+}
+
+GLenum get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
+  // The names that can be set are those that can be asked for; 1 is valid for none but the scales.
+  if (target == GL_POINT_SPRITE_OES) {
+    return pname == GL_COORD_REPLACE_OES ? GL_NO_ERROR : GL_INVALID_ENUM;
+  }
+  if (target != GL_TEXTURE_ENV) return GL_INVALID_ENUM;
+  const GLfloat probe_mode[4] = {GL_REPLACE}, probe_source[4] = {GL_PREVIOUS},
+                probe_operand[4] = {GL_SRC_ALPHA}, probe_scale[4] = {1};
+  for (const GLfloat* probe : {probe_mode, probe_source, probe_operand, probe_scale}) {
+    if (tex_env(c, target, pname, Params(probe)) == GL_NO_ERROR) return GL_NO_ERROR;
+  }
+  return GL_INVALID_ENUM;
+}
+
+GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&) {
+  const bool known = pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
+                     pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
+                     pname == GL_GENERATE_MIPMAP;
+  return known && target == GL_TEXTURE_2D ? GL_NO_ERROR : GL_INVALID_ENUM;
+}
+
+GLenum get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
+  if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
+  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE) return GL_INVALID_ENUM;
+  const ArraysState& a = c.state.arrays;
+  return (target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer)
+             ? GL_NO_ERROR
+             : GL_INVALID_OPERATION;
+}
+
+}  // namespace validate
+
+namespace exec {
+
+void get(Context& c, GLenum pname, const Out& out) {
+  if (!query(c, pname, &out)) out.boolean(0, is_enabled(c, pname) != 0);
+}
+
+const GLubyte* get_string(Context& c, GLenum name) {
+  const char* text = "";
+  switch (name) {
+    case GL_VENDOR: text = "clearpipe"; break;
+    case GL_RENDERER: text = c.renderer.c_str(); break;
+    case GL_VERSION: text = "OpenGL ES-CM 1.1 clearpipe 0.1.0"; break;
+    default:
+      text =
+          "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
+          "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
+          "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
+          "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_mirrored_repeat";
+  }
+  return reinterpret_cast<const GLubyte*>(text);
+}
+
+void get_pointer(Context& c, GLenum pname, void** params) {
+  const ArraysState& a = c.state.arrays;
+  const ArrayState& array =
+      pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
+      : pname == GL_NORMAL_ARRAY_POINTER ? a.normal
+      : pname == GL_COLOR_ARRAY_POINTER  ? a.colour
+      : pname == GL_TEXTURE_COORD_ARRAY_POINTER
+          ? a.tex_coord[static_cast<size_t>(a.client_active_texture)]
+          : a.point_size;
+  *params = const_cast<void*>(array.pointer);
+}
+
+GLboolean is_enabled(Context& c, GLenum cap) {
+  const ArraysState& a = c.state.arrays;
+  switch (cap) {
+    case GL_VERTEX_ARRAY: return a.vertex.enabled;
+    case GL_NORMAL_ARRAY: return a.normal.enabled;
+    case GL_COLOR_ARRAY: return a.colour.enabled;
+    case GL_POINT_SIZE_ARRAY_OES: return a.point_size.enabled;
+    case GL_TEXTURE_COORD_ARRAY:
+      return a.tex_coord[static_cast<size_t>(a.client_active_texture)].enabled;
+    default: return *capability(c, cap).value;
+  }
+}
+
+void get_clip_plane(Context& c, GLenum plane, const Out& out) {
+  const Vec4& v = c.state.transform.clip_plane[plane - GL_CLIP_PLANE0];
+  put_number(out, {v.x, v.y, v.z, v.w});
+}
+
+void get_light(Context& c, GLenum light, GLenum pname, const Out& out) {
+  const LightState& l = c.state.lighting.light[light - GL_LIGHT0];
+  switch (pname) {
+    case GL_AMBIENT: put_vec4(out, l.ambient); break;
+    case GL_DIFFUSE: put_vec4(out, l.diffuse); break;
+    case GL_SPECULAR: put_vec4(out, l.specular); break;
+    case GL_POSITION:
+      put_number(out, {l.position.x, l.position.y, l.position.z, l.position.w});
+      break;
+    case GL_SPOT_DIRECTION:
+      put_number(out, {l.spot_direction.x, l.spot_direction.y, l.spot_direction.z});
+      break;
+    case GL_SPOT_EXPONENT: out.number(0, l.spot_exponent); break;
+    case GL_SPOT_CUTOFF: out.number(0, l.spot_cutoff); break;
+    default: out.number(0, l.attenuation[pname - GL_CONSTANT_ATTENUATION]); break;
+  }
+}
+
+void get_material(Context& c, GLenum, GLenum pname, const Out& out) {
+  const LightingState& l = c.state.lighting;
+  switch (pname) {
+    case GL_AMBIENT: put_vec4(out, l.colour_material ? c.state.current.colour : l.ambient); break;
+    case GL_DIFFUSE: put_vec4(out, l.colour_material ? c.state.current.colour : l.diffuse); break;
+    case GL_SPECULAR: put_vec4(out, l.specular); break;
+    case GL_EMISSION: put_vec4(out, l.emission); break;
+    default: out.number(0, l.shininess); break;
+  }
+}
+
+void get_tex_env(Context& c, GLenum target, GLenum pname, const Out& out) {
+  const TextureUnitState& u = c.active_unit();
+  if (target == GL_POINT_SPRITE_OES) return out.boolean(0, u.coord_replace);
+  switch (pname) {
+    case GL_TEXTURE_ENV_MODE: out.enumerant(0, u.env_mode); break;
+    case GL_TEXTURE_ENV_COLOR: put_vec4(out, u.env_colour); break;
+    case GL_COMBINE_RGB: out.enumerant(0, u.combine_rgb); break;
+    case GL_COMBINE_ALPHA: out.enumerant(0, u.combine_alpha); break;
+    case GL_RGB_SCALE: out.number(0, u.rgb_scale); break;
+    case GL_ALPHA_SCALE: out.number(0, u.alpha_scale); break;
+    case GL_SRC0_RGB: case GL_SRC1_RGB: case GL_SRC2_RGB:
+      out.enumerant(0, u.src_rgb[pname - GL_SRC0_RGB]);
+      break;
+    case GL_SRC0_ALPHA: case GL_SRC1_ALPHA: case GL_SRC2_ALPHA:
+      out.enumerant(0, u.src_alpha[pname - GL_SRC0_ALPHA]);
+      break;
+    case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB:
+      out.enumerant(0, u.operand_rgb[pname - GL_OPERAND0_RGB]);
+      break;
+    default: out.enumerant(0, u.operand_alpha[pname - GL_OPERAND0_ALPHA]); break;
+  }
+}
+
+void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
+  const TextureObject& t = *c.active_unit().texture;
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER: out.enumerant(0, t.min_filter); break;
+    case GL_TEXTURE_MAG_FILTER: out.enumerant(0, t.mag_filter); break;
+    case GL_TEXTURE_WRAP_S: out.enumerant(0, t.wrap_s); break;
+    case GL_TEXTURE_WRAP_T: out.enumerant(0, t.wrap_t); break;
+    default: out.boolean(0, t.generate_mipmap); break;
+  }
+}
+
+void get_buffer_parameter(Context& c, GLenum target, GLenum pname, GLint* params) {
+  const ArraysState& a = c.state.arrays;
+  const BufferObject& buffer =
+      *(target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer);
+  *params = pname == GL_BUFFER_SIZE ? saturate_int(static_cast<double>(buffer.data->size()))
+                                    : static_cast<GLint>(buffer.usage);
+}
+
+// OES_query_matrix: component i is mantissa[i] * 2^exponent[i]; a set bit marks one that is not a
+// finite number.
+GLbitfield query_matrix(Context& c, GLfixed* mantissa, GLint* exponent) {
+  GLbitfield invalid = 0;
+  const Mat4& matrix = current_stack(c).top();
+  for (unsigned i = 0; i < 16; ++i) {
+    mantissa[i] = 0;
+    exponent[i] = 0;
+    if (std::isfinite(matrix.m[i])) {
+      mantissa[i] = to_fixed(std::frexp(matrix.m[i], &exponent[i]));
+    } else {
+      invalid |= 1u << i;
+    }
+  }
+  return invalid;
+}
+
+}  // namespace exec
+
+}  // namespace clearpipe::api

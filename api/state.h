@@ -1,0 +1,212 @@
+// The state of a context: one struct per state table of chapter 6, members in the table's order
+// with their initial values. Setters change it and mark what must be derived again.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <array>
+#include <vector>
+
+#include "api/limits.h"
+#include "api/objects.h"
+#include "pipeline/state.h"
+
+namespace clearpipe::api {
+
+using pipeline::Mat4;
+using pipeline::Vec4;
+
+// Table 6.3: current values.
+struct CurrentState {
+  Vec4 colour{1, 1, 1, 1};
+  std::array<Vec4, kTextureUnits> tex_coord = [] {
+    std::array<Vec4, kTextureUnits> initial;
+    initial.fill({0, 0, 0, 1});
+    return initial;
+  }();
+  Vec4 normal{0, 0, 1, 0};
+};
+
+// Tables 6.4 to 6.7: one vertex array.
+struct ArrayState {
+  bool enabled = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLsizei stride = 0;
+  const void* pointer = nullptr;
+  BufferPtr buffer;
+};
+
+struct ArraysState {
+  GLint client_active_texture = 0;
+  ArrayState vertex, colour;
+  ArrayState normal{false, 3, GL_FLOAT, 0, nullptr, nullptr};
+  ArrayState point_size{false, 1, GL_FLOAT, 0, nullptr, nullptr};
+  std::array<ArrayState, kTextureUnits> tex_coord;
+  BufferPtr array_buffer, element_array_buffer;
+};
+
+// Table 6.9: transformation state.
+struct MatrixStack {
+  explicit MatrixStack(int depth) : limit(depth), stack(1) {}
+  int limit;
+  std::vector<Mat4> stack;
+  Mat4& top() { return stack.back(); }
+  const Mat4& top() const { return stack.back(); }
+};
+
+struct TransformState {
+  MatrixStack modelview{kModelviewStackDepth};
+  MatrixStack projection{kProjectionStackDepth};
+  std::vector<MatrixStack> texture =
+      std::vector<MatrixStack>(kTextureUnits, MatrixStack(kTextureStackDepth));
+  GLint viewport[4] = {0, 0, 0, 0};
+  float depth_range[2] = {0, 1};
+  GLenum matrix_mode = GL_MODELVIEW;
+  bool normalize = false;
+  bool rescale_normal = false;
+  std::array<bool, kClipPlanes> clip_plane_enabled{};
+  std::array<Vec4, kClipPlanes> clip_plane{};  // eye space
+};
+
+// Table 6.10: colouring.
+struct FogState {
+  Vec4 colour{0, 0, 0, 0};
+  float density = 1, start = 0, end = 1;
+  GLenum mode = GL_EXP;
+  bool enabled = false;
+};
+
+// Table 6.11: lighting.
+struct LightState {
+  Vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};
+  Vec4 position{0, 0, 1, 0};         // eye space
+  Vec4 spot_direction{0, 0, -1, 0};  // eye space
+  float spot_exponent = 0, spot_cutoff = 180;
+  float attenuation[3] = {1, 0, 0};
+  bool enabled = false;
+};
+
+struct LightingState {
+  GLenum shade_model = GL_SMOOTH;
+  bool enabled = false;
+  bool colour_material = false;
+  Vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1};
+  Vec4 specular{0, 0, 0, 1}, emission{0, 0, 0, 1};
+  float shininess = 0;
+  Vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
+  bool two_sided = false;
+  std::array<LightState, kLights> light = [] {
+    std::array<LightState, kLights> initial;
+    initial[0].diffuse = initial[0].specular = {1, 1, 1, 1};
+    return initial;
+  }();
+};
+
+// Table 6.12: rasterization.
+struct RasterizationState {
+  float point_size = 1;
+  bool point_smooth = false;
+  float point_size_min = 0, point_size_max = kMaxPointSize, point_fade_threshold = 1;
+  float point_attenuation[3] = {1, 0, 0};
+  bool point_sprite = false;
+  float line_width = 1;
+  bool line_smooth = false;
+  bool cull_face = false;
+  GLenum cull_mode = GL_BACK, front_face = GL_CCW;
+  float offset_factor = 0, offset_units = 0;
+  bool offset_fill = false;
+};
+
+// Table 6.13: multisampling.
+struct MultisampleState {
+  bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
+  float coverage_value = 1;
+  bool coverage_invert = false;
+};
+
+// Tables 6.15 and 6.16: texture environment of one unit.
+struct TextureUnitState {
+  bool enabled = false;
+  TexturePtr texture;
+  GLenum env_mode = GL_MODULATE;
+  Vec4 env_colour{0, 0, 0, 0};
+  GLenum combine_rgb = GL_MODULATE, combine_alpha = GL_MODULATE;
+  GLenum src_rgb[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+  GLenum src_alpha[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+  GLenum operand_rgb[3] = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
+  GLenum operand_alpha[3] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
+  float rgb_scale = 1, alpha_scale = 1;
+  bool coord_replace = false;
+};
+
+struct TextureState {
+  GLint active = 0;
+  std::array<TextureUnitState, kTextureUnits> unit;
+};
+
+// Table 6.17: pixel operations.
+struct PixelState {
+  bool scissor_test = false;
+  GLint scissor[4] = {0, 0, 0, 0};
+  bool alpha_test = false;
+  GLenum alpha_func = GL_ALWAYS;
+  float alpha_reference = 0;
+  bool stencil_test = false;
+  GLenum stencil_func = GL_ALWAYS;
+  GLint stencil_reference = 0;
+  GLuint stencil_value_mask = 0xffffffffu;
+  GLenum stencil_fail = GL_KEEP, stencil_depth_fail = GL_KEEP, stencil_pass = GL_KEEP;
+  bool depth_test = false;
+  GLenum depth_func = GL_LESS;
+  bool blend = false;
+  GLenum src_rgb = GL_ONE, dst_rgb = GL_ZERO, src_alpha = GL_ONE, dst_alpha = GL_ZERO;
+  GLenum equation_rgb = GL_FUNC_ADD_OES, equation_alpha = GL_FUNC_ADD_OES;
+  bool dither = true;
+  bool logic_op_enabled = false;
+  GLenum logic_op = GL_COPY;
+};
+
+// Table 6.18: framebuffer control.
+struct FramebufferState {
+  bool colour_mask[4] = {true, true, true, true};
+  bool depth_mask = true;
+  GLuint stencil_mask = 0xffffffffu;
+  Vec4 clear_colour{0, 0, 0, 0};
+  float clear_depth = 1;
+  GLint clear_stencil = 0;
+};
+
+// Tables 6.19 and 6.20: pixels and hints.
+struct MiscState {
+  GLint unpack_alignment = 4, pack_alignment = 4;
+  GLenum perspective_hint = GL_DONT_CARE, point_hint = GL_DONT_CARE, line_hint = GL_DONT_CARE,
+         fog_hint = GL_DONT_CARE, mipmap_hint = GL_DONT_CARE;
+};
+
+struct State {
+  CurrentState current;
+  ArraysState arrays;
+  TransformState transform;
+  FogState fog;
+  LightingState lighting;
+  RasterizationState raster;
+  MultisampleState multisample;
+  TextureState texture;
+  PixelState pixel;
+  FramebufferState framebuffer;
+  MiscState misc;
+};
+
+// What must be derived again before the next draw.
+enum Dirty : uint32_t {
+  kDirtyVertex = 1,
+  kDirtyRaster = 2,
+  kDirtyFragment = 4,
+  kDirtyTexture = kDirtyVertex | kDirtyFragment,
+  kDirtyAll = 7
+};
+
+}  // namespace clearpipe::api
