@@ -55,9 +55,7 @@ bool make_current(Context* context, const pipeline::Target& draw,
 
 Context* current_context() noexcept { return current; }
 
-void finish(Context* context) noexcept try {
-  context->frame.finish();
-} catch (...) {
+void finish(Context* context) noexcept try { context->frame.finish(); } catch (...) {
   context->set_error(GL_OUT_OF_MEMORY);
 }
 

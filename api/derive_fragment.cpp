@@ -26,9 +26,9 @@ pipeline::CompareFunc compare(GLenum func) {
 }
 
 Wrap wrap(GLenum mode) {
-  return mode == GL_CLAMP_TO_EDGE           ? Wrap::kClampToEdge
+  return mode == GL_CLAMP_TO_EDGE         ? Wrap::kClampToEdge
          : mode == GL_MIRRORED_REPEAT_OES ? Wrap::kMirroredRepeat
-                                            : Wrap::kRepeat;
+                                          : Wrap::kRepeat;
 }
 
 pipeline::Sampler derive_sampler(const TextureObject& texture) {
@@ -54,14 +54,22 @@ pipeline::Sampler derive_sampler(const TextureObject& texture) {
 
 Combine combine(GLenum mode) {
   switch (mode) {
-    case GL_REPLACE: return Combine::kReplace;
-    case GL_MODULATE: return Combine::kModulate;
-    case GL_ADD: return Combine::kAdd;
-    case GL_ADD_SIGNED: return Combine::kAddSigned;
-    case GL_INTERPOLATE: return Combine::kInterpolate;
-    case GL_SUBTRACT: return Combine::kSubtract;
-    case GL_DOT3_RGB: return Combine::kDot3Rgb;
-    default: return Combine::kDot3Rgba;
+    case GL_REPLACE:
+      return Combine::kReplace;
+    case GL_MODULATE:
+      return Combine::kModulate;
+    case GL_ADD:
+      return Combine::kAdd;
+    case GL_ADD_SIGNED:
+      return Combine::kAddSigned;
+    case GL_INTERPOLATE:
+      return Combine::kInterpolate;
+    case GL_SUBTRACT:
+      return Combine::kSubtract;
+    case GL_DOT3_RGB:
+      return Combine::kDot3Rgb;
+    default:
+      return Combine::kDot3Rgba;
   }
 }
 
@@ -70,11 +78,21 @@ CombineSource at_unit(size_t unit) { return static_cast<CombineSource>(unit); }
 CombineArgument argument(GLenum source, GLenum operand, size_t unit) {
   CombineArgument a;
   switch (source) {
-    case GL_TEXTURE: a.source = at_unit(unit); break;
-    case GL_CONSTANT: a.source = CombineSource::kConstant; break;
-    case GL_PRIMARY_COLOR: a.source = CombineSource::kPrimaryColour; break;
-    case GL_PREVIOUS: a.source = CombineSource::kPrevious; break;
-    default: a.source = at_unit(source - GL_TEXTURE0); break;
+    case GL_TEXTURE:
+      a.source = at_unit(unit);
+      break;
+    case GL_CONSTANT:
+      a.source = CombineSource::kConstant;
+      break;
+    case GL_PRIMARY_COLOR:
+      a.source = CombineSource::kPrimaryColour;
+      break;
+    case GL_PREVIOUS:
+      a.source = CombineSource::kPrevious;
+      break;
+    default:
+      a.source = at_unit(source - GL_TEXTURE0);
+      break;
   }
   a.operand = operand == GL_SRC_COLOR             ? CombineOperand::kColour
               : operand == GL_ONE_MINUS_SRC_COLOR ? CombineOperand::kOneMinusColour
@@ -124,7 +142,9 @@ Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
   }
   if (has_colour) {
     switch (mode) {
-      case GL_REPLACE: c.rgb_argument[0] = texture; break;
+      case GL_REPLACE:
+        c.rgb_argument[0] = texture;
+        break;
       case GL_MODULATE:
         c.rgb = Combine::kModulate;
         c.rgb_argument = {previous, texture, previous};
@@ -152,30 +172,49 @@ Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
 
 StencilOp stencil_op(GLenum op) {
   switch (op) {
-    case GL_ZERO: return StencilOp::kZero;
-    case GL_REPLACE: return StencilOp::kReplace;
-    case GL_INCR: return StencilOp::kIncrement;
-    case GL_DECR: return StencilOp::kDecrement;
-    case GL_INVERT: return StencilOp::kInvert;
-    case GL_INCR_WRAP_OES: return StencilOp::kIncrementWrap;
-    case GL_DECR_WRAP_OES: return StencilOp::kDecrementWrap;
-    default: return StencilOp::kKeep;
+    case GL_ZERO:
+      return StencilOp::kZero;
+    case GL_REPLACE:
+      return StencilOp::kReplace;
+    case GL_INCR:
+      return StencilOp::kIncrement;
+    case GL_DECR:
+      return StencilOp::kDecrement;
+    case GL_INVERT:
+      return StencilOp::kInvert;
+    case GL_INCR_WRAP_OES:
+      return StencilOp::kIncrementWrap;
+    case GL_DECR_WRAP_OES:
+      return StencilOp::kDecrementWrap;
+    default:
+      return StencilOp::kKeep;
   }
 }
 
 BlendFactor blend_factor(GLenum factor) {
   switch (factor) {
-    case GL_ZERO: return BlendFactor::kZero;
-    case GL_ONE: return BlendFactor::kOne;
-    case GL_SRC_COLOR: return BlendFactor::kSrcColour;
-    case GL_ONE_MINUS_SRC_COLOR: return BlendFactor::kOneMinusSrcColour;
-    case GL_DST_COLOR: return BlendFactor::kDstColour;
-    case GL_ONE_MINUS_DST_COLOR: return BlendFactor::kOneMinusDstColour;
-    case GL_SRC_ALPHA: return BlendFactor::kSrcAlpha;
-    case GL_ONE_MINUS_SRC_ALPHA: return BlendFactor::kOneMinusSrcAlpha;
-    case GL_DST_ALPHA: return BlendFactor::kDstAlpha;
-    case GL_ONE_MINUS_DST_ALPHA: return BlendFactor::kOneMinusDstAlpha;
-    default: return BlendFactor::kSrcAlphaSaturate;
+    case GL_ZERO:
+      return BlendFactor::kZero;
+    case GL_ONE:
+      return BlendFactor::kOne;
+    case GL_SRC_COLOR:
+      return BlendFactor::kSrcColour;
+    case GL_ONE_MINUS_SRC_COLOR:
+      return BlendFactor::kOneMinusSrcColour;
+    case GL_DST_COLOR:
+      return BlendFactor::kDstColour;
+    case GL_ONE_MINUS_DST_COLOR:
+      return BlendFactor::kOneMinusDstColour;
+    case GL_SRC_ALPHA:
+      return BlendFactor::kSrcAlpha;
+    case GL_ONE_MINUS_SRC_ALPHA:
+      return BlendFactor::kOneMinusSrcAlpha;
+    case GL_DST_ALPHA:
+      return BlendFactor::kDstAlpha;
+    case GL_ONE_MINUS_DST_ALPHA:
+      return BlendFactor::kOneMinusDstAlpha;
+    default:
+      return BlendFactor::kSrcAlphaSaturate;
   }
 }
 
@@ -239,7 +278,7 @@ void derive_fragment(Context& context) {
                         : derive_classic(from.env_mode, from.texture->level[0].format, u);
     unit.constant = from.env_colour;
   }
-  f.fog = !s.fog.enabled             ? pipeline::FogMode::kNone
+  f.fog = !s.fog.enabled            ? pipeline::FogMode::kNone
           : s.fog.mode == GL_LINEAR ? pipeline::FogMode::kLinear
           : s.fog.mode == GL_EXP    ? pipeline::FogMode::kExp
                                     : pipeline::FogMode::kExp2;

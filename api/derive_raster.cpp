@@ -23,8 +23,7 @@ void derive_raster(Context& context) {
   if (s.pixel.scissor_test) {
     const GLint* scissor = s.pixel.scissor;
     auto end = [](GLint origin, GLint size, int limit) {
-      return static_cast<int>(
-          std::clamp<int64_t>(static_cast<int64_t>(origin) + size, 0, limit));
+      return static_cast<int>(std::clamp<int64_t>(static_cast<int64_t>(origin) + size, 0, limit));
     };
     r.scissor = {std::clamp(scissor[0], 0, width), std::clamp(scissor[1], 0, height),
                  end(scissor[0], scissor[2], width), end(scissor[1], scissor[3], height)};

@@ -38,8 +38,8 @@ pipeline::Light derive_light(const LightState& s) {
   sin_cos(static_cast<double>(s.spot_cutoff) * 3.14159265358979323846 / 180.0, sine, cosine);
   l.spot_cutoff_cos = static_cast<float>(cosine);
   std::copy_n(s.attenuation, 3, l.attenuation);
-  l.attenuated = l.positional &&
-                 (s.attenuation[0] != 1 || s.attenuation[1] != 0 || s.attenuation[2] != 0);
+  l.attenuated =
+      l.positional && (s.attenuation[0] != 1 || s.attenuation[1] != 0 || s.attenuation[2] != 0);
   return l;
 }
 
@@ -57,10 +57,11 @@ void derive_vertex(Context& context) {
     // row (2.10.3).
     const Mat4 inverse = invert(v.model_view);
     for (size_t col = 0; col < 3; ++col) {
-      for (size_t row = 0; row < 3; ++row) v.normal_matrix[3 * col + row] = inverse.m[4 * row + col];
+      for (size_t row = 0; row < 3; ++row)
+        v.normal_matrix[3 * col + row] = inverse.m[4 * row + col];
     }
-    const float f = inverse.m[2] * inverse.m[2] + inverse.m[6] * inverse.m[6] +
-                    inverse.m[10] * inverse.m[10];
+    const float f =
+        inverse.m[2] * inverse.m[2] + inverse.m[6] * inverse.m[6] + inverse.m[10] * inverse.m[10];
     v.rescale = f > 1e-12f ? 1.0f / std::sqrt(f) : 1.0f;
     v.rescale_normal = s.transform.rescale_normal;
     v.normalize = s.transform.normalize;

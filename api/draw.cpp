@@ -15,11 +15,16 @@ using pipeline::ComponentType;
 
 ComponentType component_type(GLenum type) {
   switch (type) {
-    case GL_BYTE: return ComponentType::kByte;
-    case GL_UNSIGNED_BYTE: return ComponentType::kUnsignedByte;
-    case GL_SHORT: return ComponentType::kShort;
-    case GL_FIXED: return ComponentType::kFixed;
-    default: return ComponentType::kFloat;
+    case GL_BYTE:
+      return ComponentType::kByte;
+    case GL_UNSIGNED_BYTE:
+      return ComponentType::kUnsignedByte;
+    case GL_SHORT:
+      return ComponentType::kShort;
+    case GL_FIXED:
+      return ComponentType::kFixed;
+    default:
+      return ComponentType::kFloat;
   }
 }
 
@@ -45,8 +50,8 @@ bool bind_array(const ArrayState& array, bool normalized, AttributeSource& sourc
   if (offset > size || size - offset < bytes) return false;
   source.buffer = array.buffer->data;
   source.pointer = array.buffer->data->data() + offset;
-  source.max_index = static_cast<uint32_t>(
-      std::min<size_t>((size - offset - bytes) / source.stride, 0xfffffffeu));
+  source.max_index =
+      static_cast<uint32_t>(std::min<size_t>((size - offset - bytes) / source.stride, 0xfffffffeu));
   return true;
 }
 
@@ -62,8 +67,7 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   if (!a.vertex.enabled) return false;
   const float size = c.state.raster.point_size;
   if (!bind(0, a.vertex, false, {0, 0, 0, 1}) || !bind(1, a.normal, true, current.normal) ||
-      !bind(2, a.colour, true, current.colour) ||
-      !bind(3, a.point_size, false, {size, 0, 0, 1})) {
+      !bind(2, a.colour, true, current.colour) || !bind(3, a.point_size, false, {size, 0, 0, 1})) {
     return false;
   }
   for (size_t u = 0; u < kTextureUnits; ++u) {
@@ -144,8 +148,7 @@ void clear(Context& c, GLbitfield mask) {
   if (command.rect.x0 >= command.rect.x1 || command.rect.y0 >= command.rect.y1) return;
   const auto& planes = c.draw.depth_stencil;
   command.colour = (mask & GL_COLOR_BUFFER_BIT) && c.draw.colour;
-  command.depth =
-      (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
+  command.depth = (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
   command.stencil = (mask & GL_STENCIL_BUFFER_BIT) && planes && planes->has_stencil;
   const bool has_alpha = c.draw.colour && c.draw.colour->has_alpha;
   command.colour_value = unorm8(colour.x) | unorm8(colour.y) << 8 | unorm8(colour.z) << 16 |
@@ -156,8 +159,7 @@ void clear(Context& c, GLbitfield mask) {
       command.colour_mask = static_cast<uint8_t>(command.colour_mask | 1u << i);
     }
   }
-  command.depth_value =
-      static_cast<uint32_t>(static_cast<double>(fb.clear_depth) * 0xffffff + 0.5);
+  command.depth_value = static_cast<uint32_t>(static_cast<double>(fb.clear_depth) * 0xffffff + 0.5);
   command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
@@ -169,7 +171,8 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
   c.frame.finish();
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
-  const int64_t row_bytes = (4 * static_cast<int64_t>(width) + alignment - 1) / alignment * alignment;
+  const int64_t row_bytes =
+      (4 * static_cast<int64_t>(width) + alignment - 1) / alignment * alignment;
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;

@@ -52,16 +52,16 @@ Return enter(const Body& body) noexcept {
 }  // namespace
 
 #define AFTER_CONTEXT(...) __VA_OPT__(, ) __VA_ARGS__
-#define CALL(type, name, parameters, arguments, validator, executor, group, stages)       \
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages)        \
   extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
-    return enter<type, uses_objects(#group)>([&](Context& context) -> type {                \
-      const GLenum error = validate::validator(context AFTER_CONTEXT arguments);            \
-      if (error != GL_NO_ERROR) {                                                           \
-        context.set_error(error);                                                           \
-        return nothing<type>(); \
-      }                                                                                     \
-      return exec::executor(context AFTER_CONTEXT arguments);                               \
-    });                                                                                     \
+    return enter<type, uses_objects(#group)>([&](Context& context) -> type {               \
+      const GLenum error = validate::validator(context AFTER_CONTEXT arguments);           \
+      if (error != GL_NO_ERROR) {                                                          \
+        context.set_error(error);                                                          \
+        return nothing<type>();                                                            \
+      }                                                                                    \
+      return exec::executor(context AFTER_CONTEXT arguments);                              \
+    });                                                                                    \
   }
 #include "api/gles1.def"
 #undef CALL
@@ -80,9 +80,8 @@ const std::array kProcs = [] {
 #include "api/gles1.def"
 #undef CALL
   };
-  std::sort(procs.begin(), procs.end(), [](const NamedProc& a, const NamedProc& b) {
-    return std::strcmp(a.name, b.name) < 0;
-  });
+  std::sort(procs.begin(), procs.end(),
+            [](const NamedProc& a, const NamedProc& b) { return std::strcmp(a.name, b.name) < 0; });
   return procs;
 }();
 

@@ -11,11 +11,16 @@ namespace {
 ArrayState& array_of(Context& c, GLenum array) {
   ArraysState& a = c.state.arrays;
   switch (array) {
-    case GL_VERTEX_ARRAY: return a.vertex;
-    case GL_NORMAL_ARRAY: return a.normal;
-    case GL_COLOR_ARRAY: return a.colour;
-    case GL_POINT_SIZE_ARRAY_OES: return a.point_size;
-    default: return a.tex_coord[static_cast<size_t>(a.client_active_texture)];
+    case GL_VERTEX_ARRAY:
+      return a.vertex;
+    case GL_NORMAL_ARRAY:
+      return a.normal;
+    case GL_COLOR_ARRAY:
+      return a.colour;
+    case GL_POINT_SIZE_ARRAY_OES:
+      return a.point_size;
+    default:
+      return a.tex_coord[static_cast<size_t>(a.client_active_texture)];
   }
 }
 

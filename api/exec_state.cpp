@@ -14,29 +14,52 @@ Capability capability(Context& c, GLenum cap) {
     return {&s.transform.clip_plane_enabled[cap - GL_CLIP_PLANE0], kDirtyVertex};
   }
   switch (cap) {
-    case GL_NORMALIZE: return {&s.transform.normalize, kDirtyVertex};
-    case GL_RESCALE_NORMAL: return {&s.transform.rescale_normal, kDirtyVertex};
-    case GL_FOG: return {&s.fog.enabled, kDirtyTexture};
-    case GL_LIGHTING: return {&s.lighting.enabled, kDirtyVertex};
-    case GL_COLOR_MATERIAL: return {&s.lighting.colour_material, kDirtyVertex};
-    case GL_POINT_SMOOTH: return {&s.raster.point_smooth, kDirtyRaster};
-    case GL_POINT_SPRITE_OES: return {&s.raster.point_sprite, kDirtyRaster};
-    case GL_LINE_SMOOTH: return {&s.raster.line_smooth, kDirtyRaster};
-    case GL_CULL_FACE: return {&s.raster.cull_face, kDirtyRaster};
-    case GL_POLYGON_OFFSET_FILL: return {&s.raster.offset_fill, kDirtyRaster};
-    case GL_MULTISAMPLE: return {&s.multisample.enabled, kDirtyRaster};
-    case GL_SAMPLE_ALPHA_TO_COVERAGE: return {&s.multisample.alpha_to_coverage, kDirtyRaster};
-    case GL_SAMPLE_ALPHA_TO_ONE: return {&s.multisample.alpha_to_one, kDirtyRaster};
-    case GL_SAMPLE_COVERAGE: return {&s.multisample.coverage, kDirtyRaster};
-    case GL_TEXTURE_2D: return {&c.active_unit().enabled, kDirtyTexture};
-    case GL_SCISSOR_TEST: return {&s.pixel.scissor_test, kDirtyRaster};
-    case GL_ALPHA_TEST: return {&s.pixel.alpha_test, kDirtyFragment};
-    case GL_STENCIL_TEST: return {&s.pixel.stencil_test, kDirtyFragment};
-    case GL_DEPTH_TEST: return {&s.pixel.depth_test, kDirtyFragment};
-    case GL_BLEND: return {&s.pixel.blend, kDirtyFragment};
-    case GL_DITHER: return {&s.pixel.dither, kDirtyFragment};
-    case GL_COLOR_LOGIC_OP: return {&s.pixel.logic_op_enabled, kDirtyFragment};
-    default: return {};
+    case GL_NORMALIZE:
+      return {&s.transform.normalize, kDirtyVertex};
+    case GL_RESCALE_NORMAL:
+      return {&s.transform.rescale_normal, kDirtyVertex};
+    case GL_FOG:
+      return {&s.fog.enabled, kDirtyTexture};
+    case GL_LIGHTING:
+      return {&s.lighting.enabled, kDirtyVertex};
+    case GL_COLOR_MATERIAL:
+      return {&s.lighting.colour_material, kDirtyVertex};
+    case GL_POINT_SMOOTH:
+      return {&s.raster.point_smooth, kDirtyRaster};
+    case GL_POINT_SPRITE_OES:
+      return {&s.raster.point_sprite, kDirtyRaster};
+    case GL_LINE_SMOOTH:
+      return {&s.raster.line_smooth, kDirtyRaster};
+    case GL_CULL_FACE:
+      return {&s.raster.cull_face, kDirtyRaster};
+    case GL_POLYGON_OFFSET_FILL:
+      return {&s.raster.offset_fill, kDirtyRaster};
+    case GL_MULTISAMPLE:
+      return {&s.multisample.enabled, kDirtyRaster};
+    case GL_SAMPLE_ALPHA_TO_COVERAGE:
+      return {&s.multisample.alpha_to_coverage, kDirtyRaster};
+    case GL_SAMPLE_ALPHA_TO_ONE:
+      return {&s.multisample.alpha_to_one, kDirtyRaster};
+    case GL_SAMPLE_COVERAGE:
+      return {&s.multisample.coverage, kDirtyRaster};
+    case GL_TEXTURE_2D:
+      return {&c.active_unit().enabled, kDirtyTexture};
+    case GL_SCISSOR_TEST:
+      return {&s.pixel.scissor_test, kDirtyRaster};
+    case GL_ALPHA_TEST:
+      return {&s.pixel.alpha_test, kDirtyFragment};
+    case GL_STENCIL_TEST:
+      return {&s.pixel.stencil_test, kDirtyFragment};
+    case GL_DEPTH_TEST:
+      return {&s.pixel.depth_test, kDirtyFragment};
+    case GL_BLEND:
+      return {&s.pixel.blend, kDirtyFragment};
+    case GL_DITHER:
+      return {&s.pixel.dither, kDirtyFragment};
+    case GL_COLOR_LOGIC_OP:
+      return {&s.pixel.logic_op_enabled, kDirtyFragment};
+    default:
+      return {};
   }
 }
 
@@ -55,11 +78,21 @@ void finish_all(Context& c) { c.frame.finish(); }
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;
   switch (target) {
-    case GL_PERSPECTIVE_CORRECTION_HINT: m.perspective_hint = mode; break;
-    case GL_POINT_SMOOTH_HINT: m.point_hint = mode; break;
-    case GL_LINE_SMOOTH_HINT: m.line_hint = mode; break;
-    case GL_FOG_HINT: m.fog_hint = mode; break;
-    default: m.mipmap_hint = mode; break;
+    case GL_PERSPECTIVE_CORRECTION_HINT:
+      m.perspective_hint = mode;
+      break;
+    case GL_POINT_SMOOTH_HINT:
+      m.point_hint = mode;
+      break;
+    case GL_LINE_SMOOTH_HINT:
+      m.line_hint = mode;
+      break;
+    case GL_FOG_HINT:
+      m.fog_hint = mode;
+      break;
+    default:
+      m.mipmap_hint = mode;
+      break;
   }
 }
 
@@ -70,7 +103,9 @@ void enable(Context& c, GLenum cap, bool value) {
   c.dirty |= found.dirty;
 }
 
-void color(Context& c, float r, float g, float b, float a) { c.state.current.colour = {r, g, b, a}; }
+void color(Context& c, float r, float g, float b, float a) {
+  c.state.current.colour = {r, g, b, a};
+}
 
 void normal(Context& c, float x, float y, float z) { c.state.current.normal = {x, y, z, 0}; }
 
@@ -86,9 +121,15 @@ void point_size(Context& c, float size) {
 void point_parameter(Context& c, GLenum pname, const Params& p) {
   RasterizationState& r = c.state.raster;
   switch (pname) {
-    case GL_POINT_SIZE_MIN: r.point_size_min = p.number(); break;
-    case GL_POINT_SIZE_MAX: r.point_size_max = p.number(); break;
-    case GL_POINT_FADE_THRESHOLD_SIZE: r.point_fade_threshold = p.number(); break;
+    case GL_POINT_SIZE_MIN:
+      r.point_size_min = p.number();
+      break;
+    case GL_POINT_SIZE_MAX:
+      r.point_size_max = p.number();
+      break;
+    case GL_POINT_FADE_THRESHOLD_SIZE:
+      r.point_fade_threshold = p.number();
+      break;
     default:
       for (int i = 0; i < 3; ++i) r.point_attenuation[i] = p.number(i);
   }
@@ -129,10 +170,18 @@ void pixel_store(Context& c, GLenum pname, GLint param) {
 void fog(Context& c, GLenum pname, const Params& p) {
   FogState& f = c.state.fog;
   switch (pname) {
-    case GL_FOG_MODE: f.mode = p.enumerant(); break;
-    case GL_FOG_DENSITY: f.density = p.number(); break;
-    case GL_FOG_START: f.start = p.number(); break;
-    case GL_FOG_END: f.end = p.number(); break;
+    case GL_FOG_MODE:
+      f.mode = p.enumerant();
+      break;
+    case GL_FOG_DENSITY:
+      f.density = p.number();
+      break;
+    case GL_FOG_START:
+      f.start = p.number();
+      break;
+    case GL_FOG_END:
+      f.end = p.number();
+      break;
     default:
       f.colour = {clamp01(p.number(0)), clamp01(p.number(1)), clamp01(p.number(2)),
                   clamp01(p.number(3))};

@@ -33,11 +33,21 @@ GLboolean is_texture(Context& c, GLuint name) { return c.share->textures.is_obje
 void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
   TextureObject& texture = *c.active_unit().texture;
   switch (pname) {
-    case GL_TEXTURE_MIN_FILTER: texture.min_filter = p.enumerant(); break;
-    case GL_TEXTURE_MAG_FILTER: texture.mag_filter = p.enumerant(); break;
-    case GL_TEXTURE_WRAP_S: texture.wrap_s = p.enumerant(); break;
-    case GL_TEXTURE_WRAP_T: texture.wrap_t = p.enumerant(); break;
-    default: texture.generate_mipmap = p.boolean(); break;
+    case GL_TEXTURE_MIN_FILTER:
+      texture.min_filter = p.enumerant();
+      break;
+    case GL_TEXTURE_MAG_FILTER:
+      texture.mag_filter = p.enumerant();
+      break;
+    case GL_TEXTURE_WRAP_S:
+      texture.wrap_s = p.enumerant();
+      break;
+    case GL_TEXTURE_WRAP_T:
+      texture.wrap_t = p.enumerant();
+      break;
+    default:
+      texture.generate_mipmap = p.boolean();
+      break;
   }
   c.dirty |= kDirtyTexture;
 }
@@ -50,27 +60,45 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
     return;
   }
   switch (pname) {
-    case GL_TEXTURE_ENV_MODE: unit.env_mode = p.enumerant(); break;
+    case GL_TEXTURE_ENV_MODE:
+      unit.env_mode = p.enumerant();
+      break;
     case GL_TEXTURE_ENV_COLOR:
       unit.env_colour = {clamp01(p.colour(0)), clamp01(p.colour(1)), clamp01(p.colour(2)),
                          clamp01(p.colour(3))};
       break;
-    case GL_COMBINE_RGB: unit.combine_rgb = p.enumerant(); break;
-    case GL_COMBINE_ALPHA: unit.combine_alpha = p.enumerant(); break;
-    case GL_SRC0_RGB: case GL_SRC1_RGB: case GL_SRC2_RGB:
+    case GL_COMBINE_RGB:
+      unit.combine_rgb = p.enumerant();
+      break;
+    case GL_COMBINE_ALPHA:
+      unit.combine_alpha = p.enumerant();
+      break;
+    case GL_SRC0_RGB:
+    case GL_SRC1_RGB:
+    case GL_SRC2_RGB:
       unit.src_rgb[pname - GL_SRC0_RGB] = p.enumerant();
       break;
-    case GL_SRC0_ALPHA: case GL_SRC1_ALPHA: case GL_SRC2_ALPHA:
+    case GL_SRC0_ALPHA:
+    case GL_SRC1_ALPHA:
+    case GL_SRC2_ALPHA:
       unit.src_alpha[pname - GL_SRC0_ALPHA] = p.enumerant();
       break;
-    case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB:
+    case GL_OPERAND0_RGB:
+    case GL_OPERAND1_RGB:
+    case GL_OPERAND2_RGB:
       unit.operand_rgb[pname - GL_OPERAND0_RGB] = p.enumerant();
       break;
-    case GL_OPERAND0_ALPHA: case GL_OPERAND1_ALPHA: case GL_OPERAND2_ALPHA:
+    case GL_OPERAND0_ALPHA:
+    case GL_OPERAND1_ALPHA:
+    case GL_OPERAND2_ALPHA:
       unit.operand_alpha[pname - GL_OPERAND0_ALPHA] = p.enumerant();
       break;
-    case GL_RGB_SCALE: unit.rgb_scale = p.number(); break;
-    default: unit.alpha_scale = p.number(); break;
+    case GL_RGB_SCALE:
+      unit.rgb_scale = p.number();
+      break;
+    default:
+      unit.alpha_scale = p.number();
+      break;
   }
 }
 

@@ -10,9 +10,12 @@ namespace clearpipe::api {
 const MatrixStack& current_stack(const Context& c) {
   const TransformState& t = c.state.transform;
   switch (t.matrix_mode) {
-    case GL_MODELVIEW: return t.modelview;
-    case GL_PROJECTION: return t.projection;
-    default: return t.texture[static_cast<size_t>(c.state.texture.active)];
+    case GL_MODELVIEW:
+      return t.modelview;
+    case GL_PROJECTION:
+      return t.projection;
+    default:
+      return t.texture[static_cast<size_t>(c.state.texture.active)];
   }
 }
 
@@ -68,9 +71,7 @@ void rotate_matrix(Context& c, float angle, float x, float y, float z) {
 
 void scale_matrix(Context& c, float x, float y, float z) { scale(changed_top(c), x, y, z); }
 
-void translate_matrix(Context& c, float x, float y, float z) {
-  translate(changed_top(c), x, y, z);
-}
+void translate_matrix(Context& c, float x, float y, float z) { translate(changed_top(c), x, y, z); }
 
 void frustum_matrix(Context& c, float l, float r, float b, float t, float n, float f) {
   Mat4& top = changed_top(c);
@@ -121,20 +122,38 @@ void light(Context& c, GLenum name, GLenum pname, const Params& p) {
   LightState& l = c.state.lighting.light[name - GL_LIGHT0];
   const Mat4& modelview = c.state.transform.modelview.top();
   switch (pname) {
-    case GL_AMBIENT: l.ambient = read_vec4(p); break;
-    case GL_DIFFUSE: l.diffuse = read_vec4(p); break;
-    case GL_SPECULAR: l.specular = read_vec4(p); break;
-    case GL_POSITION: l.position = transform(modelview, read_vec4(p)); break;
+    case GL_AMBIENT:
+      l.ambient = read_vec4(p);
+      break;
+    case GL_DIFFUSE:
+      l.diffuse = read_vec4(p);
+      break;
+    case GL_SPECULAR:
+      l.specular = read_vec4(p);
+      break;
+    case GL_POSITION:
+      l.position = transform(modelview, read_vec4(p));
+      break;
     case GL_SPOT_DIRECTION: {
       const Vec4 v = transform(modelview, {p.number(0), p.number(1), p.number(2), 0});
       l.spot_direction = {v.x, v.y, v.z, 0};
       break;
     }
-    case GL_SPOT_EXPONENT: l.spot_exponent = p.number(); break;
-    case GL_SPOT_CUTOFF: l.spot_cutoff = p.number(); break;
-    case GL_CONSTANT_ATTENUATION: l.attenuation[0] = p.number(); break;
-    case GL_LINEAR_ATTENUATION: l.attenuation[1] = p.number(); break;
-    default: l.attenuation[2] = p.number(); break;
+    case GL_SPOT_EXPONENT:
+      l.spot_exponent = p.number();
+      break;
+    case GL_SPOT_CUTOFF:
+      l.spot_cutoff = p.number();
+      break;
+    case GL_CONSTANT_ATTENUATION:
+      l.attenuation[0] = p.number();
+      break;
+    case GL_LINEAR_ATTENUATION:
+      l.attenuation[1] = p.number();
+      break;
+    default:
+      l.attenuation[2] = p.number();
+      break;
   }
   c.dirty |= kDirtyVertex;
 }
@@ -143,12 +162,24 @@ void material(Context& c, GLenum, GLenum pname, const Params& p) {
   LightingState& l = c.state.lighting;
   switch (pname) {
     // While COLOR_MATERIAL is enabled, ambient and diffuse follow the current colour (2.12.3).
-    case GL_AMBIENT: l.ambient = read_vec4(p); break;
-    case GL_DIFFUSE: l.diffuse = read_vec4(p); break;
-    case GL_AMBIENT_AND_DIFFUSE: l.ambient = l.diffuse = read_vec4(p); break;
-    case GL_SPECULAR: l.specular = read_vec4(p); break;
-    case GL_EMISSION: l.emission = read_vec4(p); break;
-    default: l.shininess = p.number(); break;
+    case GL_AMBIENT:
+      l.ambient = read_vec4(p);
+      break;
+    case GL_DIFFUSE:
+      l.diffuse = read_vec4(p);
+      break;
+    case GL_AMBIENT_AND_DIFFUSE:
+      l.ambient = l.diffuse = read_vec4(p);
+      break;
+    case GL_SPECULAR:
+      l.specular = read_vec4(p);
+      break;
+    case GL_EMISSION:
+      l.emission = read_vec4(p);
+      break;
+    default:
+      l.shininess = p.number();
+      break;
   }
   c.dirty |= kDirtyVertex;
 }

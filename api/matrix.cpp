@@ -11,8 +11,7 @@ Mat4 multiply(const Mat4& a, const Mat4& b) {
   for (size_t row = 0; row < 4; ++row) {
     for (size_t col = 0; col < 4; ++col) {
       product.m[4 * col + row] = a.m[row] * b.m[4 * col] + a.m[4 + row] * b.m[4 * col + 1] +
-                                 a.m[8 + row] * b.m[4 * col + 2] +
-                                 a.m[12 + row] * b.m[4 * col + 3];
+                                 a.m[8 + row] * b.m[4 * col + 2] + a.m[12 + row] * b.m[4 * col + 3];
     }
   }
   return product;
@@ -54,10 +53,22 @@ void sin_cos(double radians, double& sine, double& cosine) {
   s = x + x * s;
   c = 1.0 + c;
   switch (static_cast<long long>(quadrant) & 3) {
-    case 0: sine = s; cosine = c; break;
-    case 1: sine = c; cosine = -s; break;
-    case 2: sine = -s; cosine = -c; break;
-    default: sine = -c; cosine = s; break;
+    case 0:
+      sine = s;
+      cosine = c;
+      break;
+    case 1:
+      sine = c;
+      cosine = -s;
+      break;
+    case 2:
+      sine = -s;
+      cosine = -c;
+      break;
+    default:
+      sine = -c;
+      cosine = s;
+      break;
   }
 }
 
@@ -100,15 +111,43 @@ bool rotate(Mat4& matrix, float degrees, float x, float y, float z) {
 
 Mat4 frustum(float l, float r, float b, float t, float n, float f) {
   Mat4 p;
-  p.m = {(2.0f * n) / (r - l), 0, 0, 0, 0, (2.0f * n) / (t - b), 0, 0, (r + l) / (r - l),
-         (t + b) / (t - b), -(f + n) / (f - n), -1, 0, 0, -(2.0f * f * n) / (f - n), 0};
+  p.m = {(2.0f * n) / (r - l),
+         0,
+         0,
+         0,
+         0,
+         (2.0f * n) / (t - b),
+         0,
+         0,
+         (r + l) / (r - l),
+         (t + b) / (t - b),
+         -(f + n) / (f - n),
+         -1,
+         0,
+         0,
+         -(2.0f * f * n) / (f - n),
+         0};
   return p;
 }
 
 Mat4 ortho(float l, float r, float b, float t, float n, float f) {
   Mat4 p;
-  p.m = {2.0f / (r - l), 0, 0, 0, 0, 2.0f / (t - b), 0, 0, 0, 0, -2.0f / (f - n), 0,
-         -(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n), 1};
+  p.m = {2.0f / (r - l),
+         0,
+         0,
+         0,
+         0,
+         2.0f / (t - b),
+         0,
+         0,
+         0,
+         0,
+         -2.0f / (f - n),
+         0,
+         -(r + l) / (r - l),
+         -(t + b) / (t - b),
+         -(f + n) / (f - n),
+         1};
   return p;
 }
 
@@ -152,7 +191,8 @@ Mat4 invert(const Mat4& matrix) {
   }
   Mat4 inverse;
   for (size_t row = 0; row < 4; ++row) {
-    for (size_t col = 0; col < 4; ++col) inverse.m[4 * col + row] = static_cast<float>(a[row][4 + col]);
+    for (size_t col = 0; col < 4; ++col)
+      inverse.m[4 * col + row] = static_cast<float>(a[row][4 + col]);
   }
   return inverse;
 }

@@ -36,7 +36,8 @@ TEST(Matrix, RotationAgreesWithRodriguesInDouble) {
                s = std::sin(angle);
   Mat4 m;
   ASSERT_TRUE(rotate(m, 77, 0.3f, -0.7f, 0.5f));
-  const double skew[3][3] = {{0, -axis[2], axis[1]}, {axis[2], 0, -axis[0]}, {-axis[1], axis[0], 0}};
+  const double skew[3][3] = {
+      {0, -axis[2], axis[1]}, {axis[2], 0, -axis[0]}, {-axis[1], axis[0], 0}};
   for (size_t row = 0; row < 3; ++row) {
     for (size_t col = 0; col < 3; ++col) {
       const double expected = (row == col ? c : 0) +

@@ -66,10 +66,18 @@ class Out {
 
   void number(int i, float value) const {
     switch (type_) {
-      case Type::kBoolean: boolean_at(i) = value != 0; break;
-      case Type::kInteger: int_at(i) = saturate_int(std::floor(static_cast<double>(value) + 0.5)); break;
-      case Type::kFixed: int_at(i) = to_fixed(value); break;
-      case Type::kFloat: static_cast<GLfloat*>(values_)[i] = value; break;
+      case Type::kBoolean:
+        boolean_at(i) = value != 0;
+        break;
+      case Type::kInteger:
+        int_at(i) = saturate_int(std::floor(static_cast<double>(value) + 0.5));
+        break;
+      case Type::kFixed:
+        int_at(i) = to_fixed(value);
+        break;
+      case Type::kFloat:
+        static_cast<GLfloat*>(values_)[i] = value;
+        break;
     }
   }
   // Colours, normals and depths map linearly to the whole integer range (6.1.2).
@@ -82,10 +90,18 @@ class Out {
   }
   void integer(int i, GLint value) const {
     switch (type_) {
-      case Type::kBoolean: boolean_at(i) = value != 0; break;
-      case Type::kInteger: int_at(i) = value; break;
-      case Type::kFixed: int_at(i) = saturate_int(value * 65536.0); break;
-      case Type::kFloat: static_cast<GLfloat*>(values_)[i] = static_cast<float>(value); break;
+      case Type::kBoolean:
+        boolean_at(i) = value != 0;
+        break;
+      case Type::kInteger:
+        int_at(i) = value;
+        break;
+      case Type::kFixed:
+        int_at(i) = saturate_int(value * 65536.0);
+        break;
+      case Type::kFloat:
+        static_cast<GLfloat*>(values_)[i] = static_cast<float>(value);
+        break;
     }
   }
   void boolean(int i, bool value) const { integer(i, value ? 1 : 0); }

@@ -24,10 +24,13 @@ inline size_t pixel_bytes(GLenum format, GLenum type) {
              : format == GL_LUMINANCE_ALPHA ? 2
              : is_base_format(format)       ? 1
                                             : 0;
-    case GL_UNSIGNED_SHORT_5_6_5: return format == GL_RGB ? 2 : 0;
+    case GL_UNSIGNED_SHORT_5_6_5:
+      return format == GL_RGB ? 2 : 0;
     case GL_UNSIGNED_SHORT_4_4_4_4:
-    case GL_UNSIGNED_SHORT_5_5_5_1: return format == GL_RGBA ? 2 : 0;
-    default: return 0;
+    case GL_UNSIGNED_SHORT_5_5_5_1:
+      return format == GL_RGBA ? 2 : 0;
+    default:
+      return 0;
   }
 }
 
@@ -42,19 +45,26 @@ inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
     return ((s >> shift & max) * 510 + max) / (2 * max);
   };
   switch (type) {
-    case GL_UNSIGNED_SHORT_5_6_5: return rgba(scaled(11, 31), scaled(5, 63), scaled(0, 31), 255);
+    case GL_UNSIGNED_SHORT_5_6_5:
+      return rgba(scaled(11, 31), scaled(5, 63), scaled(0, 31), 255);
     case GL_UNSIGNED_SHORT_4_4_4_4:
       return rgba(scaled(12, 15), scaled(8, 15), scaled(4, 15), scaled(0, 15));
     case GL_UNSIGNED_SHORT_5_5_5_1:
       return rgba(scaled(11, 31), scaled(6, 31), scaled(1, 31), scaled(0, 1));
-    default: break;
+    default:
+      break;
   }
   switch (format) {
-    case GL_RGBA: return rgba(p[0], p[1], p[2], p[3]);
-    case GL_RGB: return rgba(p[0], p[1], p[2], 255);
-    case GL_LUMINANCE_ALPHA: return rgba(p[0], p[0], p[0], p[1]);
-    case GL_LUMINANCE: return rgba(p[0], p[0], p[0], 255);
-    default: return rgba(0, 0, 0, p[0]);
+    case GL_RGBA:
+      return rgba(p[0], p[1], p[2], p[3]);
+    case GL_RGB:
+      return rgba(p[0], p[1], p[2], 255);
+    case GL_LUMINANCE_ALPHA:
+      return rgba(p[0], p[0], p[0], p[1]);
+    case GL_LUMINANCE:
+      return rgba(p[0], p[0], p[0], 255);
+    default:
+      return rgba(0, 0, 0, p[0]);
   }
 }
 

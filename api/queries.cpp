@@ -37,13 +37,17 @@ void put_vec4(const Out& out, const Vec4& v) { put_colour(out, {v.x, v.y, v.z, v
 
 const Mat4* matrix_of(const State& s, size_t active, GLenum pname) {
   switch (pname) {
-    case GL_MODELVIEW_MATRIX: case GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES:
+    case GL_MODELVIEW_MATRIX:
+    case GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES:
       return &s.transform.modelview.top();
-    case GL_PROJECTION_MATRIX: case GL_PROJECTION_MATRIX_FLOAT_AS_INT_BITS_OES:
+    case GL_PROJECTION_MATRIX:
+    case GL_PROJECTION_MATRIX_FLOAT_AS_INT_BITS_OES:
       return &s.transform.projection.top();
-    case GL_TEXTURE_MATRIX: case GL_TEXTURE_MATRIX_FLOAT_AS_INT_BITS_OES:
+    case GL_TEXTURE_MATRIX:
+    case GL_TEXTURE_MATRIX_FLOAT_AS_INT_BITS_OES:
       return &s.transform.texture[active].top();
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }
 
@@ -65,13 +69,14 @@ bool query(const Context& c, GLenum pname, const Out* out) {
     return true;
   }
   switch (pname) {
-#define QUERY(name, kind, ...)                   \
-  case name:                                     \
-    if (out) put_##kind(*out, {__VA_ARGS__});    \
+#define QUERY(name, kind, ...)                \
+  case name:                                  \
+    if (out) put_##kind(*out, {__VA_ARGS__}); \
     return true;
 #include "api/queries.def"
 #undef QUERY
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -91,18 +96,21 @@ GLenum get_string(const Context&, GLenum name) {
 
 GLenum get_pointer(const Context&, GLenum pname, void**) {
   switch (pname) {
-    case GL_VERTEX_ARRAY_POINTER: case GL_NORMAL_ARRAY_POINTER: case GL_COLOR_ARRAY_POINTER:
-    case GL_TEXTURE_COORD_ARRAY_POINTER: case GL_POINT_SIZE_ARRAY_POINTER_OES:
+    case GL_VERTEX_ARRAY_POINTER:
+    case GL_NORMAL_ARRAY_POINTER:
+    case GL_COLOR_ARRAY_POINTER:
+    case GL_TEXTURE_COORD_ARRAY_POINTER:
+    case GL_POINT_SIZE_ARRAY_POINTER_OES:
       return GL_NO_ERROR;
-    default: return GL_INVALID_ENUM;
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 
 GLenum get_light(const Context&, GLenum light, GLenum pname, const Out&) {
   const bool known = pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
                      (pname >= GL_POSITION && pname <= GL_QUADRATIC_ATTENUATION);
-  return known && light >= GL_LIGHT0 && light < GL_LIGHT0 + kLights ? GL_NO_ERROR
-                                                                    : GL_INVALID_ENUM;
+  return known && light >= GL_LIGHT0 && light < GL_LIGHT0 + kLights ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
 GLenum get_material(const Context&, GLenum face, GLenum pname, const Out&) {
@@ -152,9 +160,15 @@ void get(Context& c, GLenum pname, const Out& out) {
 const GLubyte* get_string(Context& c, GLenum name) {
   const char* text = "";
   switch (name) {
-    case GL_VENDOR: text = "clearpipe"; break;
-    case GL_RENDERER: text = c.renderer.c_str(); break;
-    case GL_VERSION: text = "OpenGL ES-CM 1.1 clearpipe 0.1.0"; break;
+    case GL_VENDOR:
+      text = "clearpipe";
+      break;
+    case GL_RENDERER:
+      text = c.renderer.c_str();
+      break;
+    case GL_VERSION:
+      text = "OpenGL ES-CM 1.1 clearpipe 0.1.0";
+      break;
     default:
       text =
           "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
@@ -167,26 +181,30 @@ const GLubyte* get_string(Context& c, GLenum name) {
 
 void get_pointer(Context& c, GLenum pname, void** params) {
   const ArraysState& a = c.state.arrays;
-  const ArrayState& array =
-      pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
-      : pname == GL_NORMAL_ARRAY_POINTER ? a.normal
-      : pname == GL_COLOR_ARRAY_POINTER  ? a.colour
-      : pname == GL_TEXTURE_COORD_ARRAY_POINTER
-          ? a.tex_coord[static_cast<size_t>(a.client_active_texture)]
-          : a.point_size;
+  const ArrayState& array = pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
+                            : pname == GL_NORMAL_ARRAY_POINTER ? a.normal
+                            : pname == GL_COLOR_ARRAY_POINTER  ? a.colour
+                            : pname == GL_TEXTURE_COORD_ARRAY_POINTER
+                                ? a.tex_coord[static_cast<size_t>(a.client_active_texture)]
+                                : a.point_size;
   *params = const_cast<void*>(array.pointer);
 }
 
 GLboolean is_enabled(Context& c, GLenum cap) {
   const ArraysState& a = c.state.arrays;
   switch (cap) {
-    case GL_VERTEX_ARRAY: return a.vertex.enabled;
-    case GL_NORMAL_ARRAY: return a.normal.enabled;
-    case GL_COLOR_ARRAY: return a.colour.enabled;
-    case GL_POINT_SIZE_ARRAY_OES: return a.point_size.enabled;
+    case GL_VERTEX_ARRAY:
+      return a.vertex.enabled;
+    case GL_NORMAL_ARRAY:
+      return a.normal.enabled;
+    case GL_COLOR_ARRAY:
+      return a.colour.enabled;
+    case GL_POINT_SIZE_ARRAY_OES:
+      return a.point_size.enabled;
     case GL_TEXTURE_COORD_ARRAY:
       return a.tex_coord[static_cast<size_t>(a.client_active_texture)].enabled;
-    default: return *capability(c, cap).value;
+    default:
+      return *capability(c, cap).value;
   }
 }
 
@@ -198,29 +216,51 @@ void get_clip_plane(Context& c, GLenum plane, const Out& out) {
 void get_light(Context& c, GLenum light, GLenum pname, const Out& out) {
   const LightState& l = c.state.lighting.light[light - GL_LIGHT0];
   switch (pname) {
-    case GL_AMBIENT: put_vec4(out, l.ambient); break;
-    case GL_DIFFUSE: put_vec4(out, l.diffuse); break;
-    case GL_SPECULAR: put_vec4(out, l.specular); break;
+    case GL_AMBIENT:
+      put_vec4(out, l.ambient);
+      break;
+    case GL_DIFFUSE:
+      put_vec4(out, l.diffuse);
+      break;
+    case GL_SPECULAR:
+      put_vec4(out, l.specular);
+      break;
     case GL_POSITION:
       put_number(out, {l.position.x, l.position.y, l.position.z, l.position.w});
       break;
     case GL_SPOT_DIRECTION:
       put_number(out, {l.spot_direction.x, l.spot_direction.y, l.spot_direction.z});
       break;
-    case GL_SPOT_EXPONENT: out.number(0, l.spot_exponent); break;
-    case GL_SPOT_CUTOFF: out.number(0, l.spot_cutoff); break;
-    default: out.number(0, l.attenuation[pname - GL_CONSTANT_ATTENUATION]); break;
+    case GL_SPOT_EXPONENT:
+      out.number(0, l.spot_exponent);
+      break;
+    case GL_SPOT_CUTOFF:
+      out.number(0, l.spot_cutoff);
+      break;
+    default:
+      out.number(0, l.attenuation[pname - GL_CONSTANT_ATTENUATION]);
+      break;
   }
 }
 
 void get_material(Context& c, GLenum, GLenum pname, const Out& out) {
   const LightingState& l = c.state.lighting;
   switch (pname) {
-    case GL_AMBIENT: put_vec4(out, l.colour_material ? c.state.current.colour : l.ambient); break;
-    case GL_DIFFUSE: put_vec4(out, l.colour_material ? c.state.current.colour : l.diffuse); break;
-    case GL_SPECULAR: put_vec4(out, l.specular); break;
-    case GL_EMISSION: put_vec4(out, l.emission); break;
-    default: out.number(0, l.shininess); break;
+    case GL_AMBIENT:
+      put_vec4(out, l.colour_material ? c.state.current.colour : l.ambient);
+      break;
+    case GL_DIFFUSE:
+      put_vec4(out, l.colour_material ? c.state.current.colour : l.diffuse);
+      break;
+    case GL_SPECULAR:
+      put_vec4(out, l.specular);
+      break;
+    case GL_EMISSION:
+      put_vec4(out, l.emission);
+      break;
+    default:
+      out.number(0, l.shininess);
+      break;
   }
 }
 
@@ -228,33 +268,63 @@ void get_tex_env(Context& c, GLenum target, GLenum pname, const Out& out) {
   const TextureUnitState& u = c.active_unit();
   if (target == GL_POINT_SPRITE_OES) return out.boolean(0, u.coord_replace);
   switch (pname) {
-    case GL_TEXTURE_ENV_MODE: out.enumerant(0, u.env_mode); break;
-    case GL_TEXTURE_ENV_COLOR: put_vec4(out, u.env_colour); break;
-    case GL_COMBINE_RGB: out.enumerant(0, u.combine_rgb); break;
-    case GL_COMBINE_ALPHA: out.enumerant(0, u.combine_alpha); break;
-    case GL_RGB_SCALE: out.number(0, u.rgb_scale); break;
-    case GL_ALPHA_SCALE: out.number(0, u.alpha_scale); break;
-    case GL_SRC0_RGB: case GL_SRC1_RGB: case GL_SRC2_RGB:
+    case GL_TEXTURE_ENV_MODE:
+      out.enumerant(0, u.env_mode);
+      break;
+    case GL_TEXTURE_ENV_COLOR:
+      put_vec4(out, u.env_colour);
+      break;
+    case GL_COMBINE_RGB:
+      out.enumerant(0, u.combine_rgb);
+      break;
+    case GL_COMBINE_ALPHA:
+      out.enumerant(0, u.combine_alpha);
+      break;
+    case GL_RGB_SCALE:
+      out.number(0, u.rgb_scale);
+      break;
+    case GL_ALPHA_SCALE:
+      out.number(0, u.alpha_scale);
+      break;
+    case GL_SRC0_RGB:
+    case GL_SRC1_RGB:
+    case GL_SRC2_RGB:
       out.enumerant(0, u.src_rgb[pname - GL_SRC0_RGB]);
       break;
-    case GL_SRC0_ALPHA: case GL_SRC1_ALPHA: case GL_SRC2_ALPHA:
+    case GL_SRC0_ALPHA:
+    case GL_SRC1_ALPHA:
+    case GL_SRC2_ALPHA:
       out.enumerant(0, u.src_alpha[pname - GL_SRC0_ALPHA]);
       break;
-    case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB:
+    case GL_OPERAND0_RGB:
+    case GL_OPERAND1_RGB:
+    case GL_OPERAND2_RGB:
       out.enumerant(0, u.operand_rgb[pname - GL_OPERAND0_RGB]);
       break;
-    default: out.enumerant(0, u.operand_alpha[pname - GL_OPERAND0_ALPHA]); break;
+    default:
+      out.enumerant(0, u.operand_alpha[pname - GL_OPERAND0_ALPHA]);
+      break;
   }
 }
 
 void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
   const TextureObject& t = *c.active_unit().texture;
   switch (pname) {
-    case GL_TEXTURE_MIN_FILTER: out.enumerant(0, t.min_filter); break;
-    case GL_TEXTURE_MAG_FILTER: out.enumerant(0, t.mag_filter); break;
-    case GL_TEXTURE_WRAP_S: out.enumerant(0, t.wrap_s); break;
-    case GL_TEXTURE_WRAP_T: out.enumerant(0, t.wrap_t); break;
-    default: out.boolean(0, t.generate_mipmap); break;
+    case GL_TEXTURE_MIN_FILTER:
+      out.enumerant(0, t.min_filter);
+      break;
+    case GL_TEXTURE_MAG_FILTER:
+      out.enumerant(0, t.mag_filter);
+      break;
+    case GL_TEXTURE_WRAP_S:
+      out.enumerant(0, t.wrap_s);
+      break;
+    case GL_TEXTURE_WRAP_T:
+      out.enumerant(0, t.wrap_t);
+      break;
+    default:
+      out.boolean(0, t.generate_mipmap);
+      break;
   }
 }
 

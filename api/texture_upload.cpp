@@ -79,11 +79,16 @@ void after_change(Context& c, TextureObject& texture, GLint level) {
 uint32_t reduce(uint32_t colour, GLenum format) {
   const uint32_t r = colour & 255, a = colour >> 24;
   switch (format) {
-    case GL_RGBA: return colour;
-    case GL_RGB: return colour | 0xff000000u;
-    case GL_LUMINANCE_ALPHA: return rgba(r, r, r, a);
-    case GL_LUMINANCE: return rgba(r, r, r, 255);
-    default: return rgba(0, 0, 0, a);
+    case GL_RGBA:
+      return colour;
+    case GL_RGB:
+      return colour | 0xff000000u;
+    case GL_LUMINANCE_ALPHA:
+      return rgba(r, r, r, a);
+    case GL_LUMINANCE:
+      return rgba(r, r, r, 255);
+    default:
+      return rgba(0, 0, 0, a);
   }
 }
 
@@ -151,10 +156,9 @@ void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsi
   const auto* colours = static_cast<const uint8_t*>(data);
   const uint8_t* indices = colours + (bytes << palette.index_bits);
   for (int i = 0; i <= -level; ++i) {
-    pipeline::ImageLevel& to =
-        define_level(c, texture, static_cast<size_t>(i), palette.format, palette.type,
-                     width == 0 ? 0 : std::max(width >> i, 1),
-                     height == 0 ? 0 : std::max(height >> i, 1));
+    pipeline::ImageLevel& to = define_level(c, texture, static_cast<size_t>(i), palette.format,
+                                            palette.type, width == 0 ? 0 : std::max(width >> i, 1),
+                                            height == 0 ? 0 : std::max(height >> i, 1));
     for (size_t k = 0; k < to.texels.size(); ++k) {
       // Two 4-bit indices in a byte: the first is in the upper half.
       const uint32_t index = palette.index_bits == 8 ? indices[k]

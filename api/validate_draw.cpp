@@ -7,8 +7,7 @@ namespace clearpipe::api::validate {
 namespace {
 
 GLenum framebuffer(const pipeline::Target& target) {
-  return target.colour || target.depth_stencil ? GL_NO_ERROR
-                                               : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  return target.colour || target.depth_stencil ? GL_NO_ERROR : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
 }
 
 const BufferPtr& bound(const Context& c, GLenum target) {
@@ -20,10 +19,14 @@ const BufferPtr& bound(const Context& c, GLenum target) {
 
 GLenum client_state(const Context&, GLenum array, bool) {
   switch (array) {
-    case GL_VERTEX_ARRAY: case GL_NORMAL_ARRAY: case GL_COLOR_ARRAY: case GL_TEXTURE_COORD_ARRAY:
+    case GL_VERTEX_ARRAY:
+    case GL_NORMAL_ARRAY:
+    case GL_COLOR_ARRAY:
+    case GL_TEXTURE_COORD_ARRAY:
     case GL_POINT_SIZE_ARRAY_OES:
       return GL_NO_ERROR;
-    default: return GL_INVALID_ENUM;
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 

@@ -38,10 +38,15 @@ GLenum fog(const Context&, GLenum pname, const Params& p) {
     case GL_FOG_MODE:
       return enum_if(p.enumerant() == GL_LINEAR || p.enumerant() == GL_EXP ||
                      p.enumerant() == GL_EXP2);
-    case GL_FOG_DENSITY: return p.number() >= 0 ? GL_NO_ERROR : GL_INVALID_VALUE;
-    case GL_FOG_START: case GL_FOG_END: return GL_NO_ERROR;
-    case GL_FOG_COLOR: return enum_if(!p.scalar());
-    default: return GL_INVALID_ENUM;
+    case GL_FOG_DENSITY:
+      return p.number() >= 0 ? GL_NO_ERROR : GL_INVALID_VALUE;
+    case GL_FOG_START:
+    case GL_FOG_END:
+      return GL_NO_ERROR;
+    case GL_FOG_COLOR:
+      return enum_if(!p.scalar());
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 

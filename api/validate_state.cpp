@@ -77,25 +77,38 @@ GLenum light_model(const Context&, GLenum pname, const Params& p) {
 GLenum light(const Context&, GLenum light, GLenum pname, const Params& p) {
   if (light < GL_LIGHT0 || light >= GL_LIGHT0 + kLights) return GL_INVALID_ENUM;
   switch (pname) {
-    case GL_AMBIENT: case GL_DIFFUSE: case GL_SPECULAR: case GL_POSITION: case GL_SPOT_DIRECTION:
+    case GL_AMBIENT:
+    case GL_DIFFUSE:
+    case GL_SPECULAR:
+    case GL_POSITION:
+    case GL_SPOT_DIRECTION:
       return enum_if(!p.scalar());
-    case GL_SPOT_EXPONENT: return value_if(p.number() >= 0 && p.number() <= 128);
+    case GL_SPOT_EXPONENT:
+      return value_if(p.number() >= 0 && p.number() <= 128);
     case GL_SPOT_CUTOFF:
       return value_if((p.number() >= 0 && p.number() <= 90) || p.number() == 180);
-    case GL_CONSTANT_ATTENUATION: case GL_LINEAR_ATTENUATION: case GL_QUADRATIC_ATTENUATION:
+    case GL_CONSTANT_ATTENUATION:
+    case GL_LINEAR_ATTENUATION:
+    case GL_QUADRATIC_ATTENUATION:
       return value_if(p.number() >= 0);
-    default: return GL_INVALID_ENUM;
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 
 GLenum material(const Context&, GLenum face, GLenum pname, const Params& p) {
   if (face != GL_FRONT_AND_BACK) return GL_INVALID_ENUM;
   switch (pname) {
-    case GL_AMBIENT: case GL_DIFFUSE: case GL_AMBIENT_AND_DIFFUSE: case GL_SPECULAR:
+    case GL_AMBIENT:
+    case GL_DIFFUSE:
+    case GL_AMBIENT_AND_DIFFUSE:
+    case GL_SPECULAR:
     case GL_EMISSION:
       return enum_if(!p.scalar());
-    case GL_SHININESS: return value_if(p.number() >= 0 && p.number() <= 128);
-    default: return GL_INVALID_ENUM;
+    case GL_SHININESS:
+      return value_if(p.number() >= 0 && p.number() <= 128);
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 
@@ -103,10 +116,14 @@ GLenum positive(const Context&, float value) { return value_if(value > 0); }
 
 GLenum point_parameter(const Context&, GLenum pname, const Params& p) {
   switch (pname) {
-    case GL_POINT_SIZE_MIN: case GL_POINT_SIZE_MAX: case GL_POINT_FADE_THRESHOLD_SIZE:
+    case GL_POINT_SIZE_MIN:
+    case GL_POINT_SIZE_MAX:
+    case GL_POINT_FADE_THRESHOLD_SIZE:
       return value_if(p.number() >= 0);
-    case GL_POINT_DISTANCE_ATTENUATION: return enum_if(!p.scalar());
-    default: return GL_INVALID_ENUM;
+    case GL_POINT_DISTANCE_ATTENUATION:
+      return enum_if(!p.scalar());
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 

@@ -40,8 +40,7 @@ GLenum format_and_type(GLenum format, GLenum type) {
 // Table 3.9: the surface must have the components the texture wants.
 GLenum copied_format(const Context& c, GLenum format) {
   if (!c.read.colour) return GL_INVALID_FRAMEBUFFER_OPERATION_OES;
-  const bool wants_alpha =
-      format == GL_ALPHA || format == GL_LUMINANCE_ALPHA || format == GL_RGBA;
+  const bool wants_alpha = format == GL_ALPHA || format == GL_LUMINANCE_ALPHA || format == GL_RGBA;
   return wants_alpha && !c.read.colour->has_alpha ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
@@ -131,12 +130,16 @@ GLenum tex_parameter(const Context&, GLenum target, GLenum pname, const Params& 
     case GL_TEXTURE_MIN_FILTER:
       return enum_if(value == GL_NEAREST || value == GL_LINEAR ||
                      (value >= GL_NEAREST_MIPMAP_NEAREST && value <= GL_LINEAR_MIPMAP_LINEAR));
-    case GL_TEXTURE_MAG_FILTER: return enum_if(value == GL_NEAREST || value == GL_LINEAR);
-    case GL_TEXTURE_WRAP_S: case GL_TEXTURE_WRAP_T:
+    case GL_TEXTURE_MAG_FILTER:
+      return enum_if(value == GL_NEAREST || value == GL_LINEAR);
+    case GL_TEXTURE_WRAP_S:
+    case GL_TEXTURE_WRAP_T:
       return enum_if(value == GL_REPEAT || value == GL_CLAMP_TO_EDGE ||
                      value == GL_MIRRORED_REPEAT_OES);
-    case GL_GENERATE_MIPMAP: return GL_NO_ERROR;
-    default: return GL_INVALID_ENUM;
+    case GL_GENERATE_MIPMAP:
+      return GL_NO_ERROR;
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 
@@ -148,26 +151,36 @@ GLenum tex_env(const Context&, GLenum target, GLenum pname, const Params& p) {
     case GL_TEXTURE_ENV_MODE:
       return enum_if(value == GL_MODULATE || value == GL_REPLACE || value == GL_DECAL ||
                      value == GL_BLEND || value == GL_ADD || value == GL_COMBINE);
-    case GL_TEXTURE_ENV_COLOR: return enum_if(!p.scalar());
+    case GL_TEXTURE_ENV_COLOR:
+      return enum_if(!p.scalar());
     case GL_COMBINE_RGB:
       if (value == GL_DOT3_RGB || value == GL_DOT3_RGBA) return GL_NO_ERROR;
       [[fallthrough]];
     case GL_COMBINE_ALPHA:
       return enum_if(value == GL_REPLACE || value == GL_MODULATE || value == GL_ADD ||
                      value == GL_ADD_SIGNED || value == GL_INTERPOLATE || value == GL_SUBTRACT);
-    case GL_SRC0_RGB: case GL_SRC1_RGB: case GL_SRC2_RGB:
-    case GL_SRC0_ALPHA: case GL_SRC1_ALPHA: case GL_SRC2_ALPHA:
+    case GL_SRC0_RGB:
+    case GL_SRC1_RGB:
+    case GL_SRC2_RGB:
+    case GL_SRC0_ALPHA:
+    case GL_SRC1_ALPHA:
+    case GL_SRC2_ALPHA:
       return enum_if(value == GL_TEXTURE || value == GL_CONSTANT || value == GL_PRIMARY_COLOR ||
                      value == GL_PREVIOUS ||
                      (value >= GL_TEXTURE0 && value < GL_TEXTURE0 + kTextureUnits));
-    case GL_OPERAND0_RGB: case GL_OPERAND1_RGB: case GL_OPERAND2_RGB:
+    case GL_OPERAND0_RGB:
+    case GL_OPERAND1_RGB:
+    case GL_OPERAND2_RGB:
       return enum_if(is_operand(value, false));
-    case GL_OPERAND0_ALPHA: case GL_OPERAND1_ALPHA: case GL_OPERAND2_ALPHA:
+    case GL_OPERAND0_ALPHA:
+    case GL_OPERAND1_ALPHA:
+    case GL_OPERAND2_ALPHA:
       return enum_if(is_operand(value, true));
-    case GL_RGB_SCALE: case GL_ALPHA_SCALE:
-      return p.number() == 1 || p.number() == 2 || p.number() == 4 ? GL_NO_ERROR
-                                                                   : GL_INVALID_VALUE;
-    default: return GL_INVALID_ENUM;
+    case GL_RGB_SCALE:
+    case GL_ALPHA_SCALE:
+      return p.number() == 1 || p.number() == 2 || p.number() == 4 ? GL_NO_ERROR : GL_INVALID_VALUE;
+    default:
+      return GL_INVALID_ENUM;
   }
 }
 
