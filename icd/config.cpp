@@ -1,0 +1,224 @@
+// Configs: see config.h.
+// SPDX-License-Identifier: MIT
+#include "icd/config.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace clearpipe::icd {
+
+namespace {
+
+std::vector<Config> make_configs() {
+  std::vector<Config> list;
+  for (const EGLint alpha : {8, 0}) {
+    for (const auto& [depth, stencil] :
+         {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
+      Config config;
+      config.id = static_cast<EGLint>(list.size()) + 1;
+      config.alpha = alpha;
+      config.depth = depth;
+      config.stencil = stencil;
+      list.push_back(config);
+    }
+  }
+  return list;
+}
+
+// How eglChooseConfig compares an attribute (table 3.4).
+enum class Match { kAtLeast, kExact, kMask, kIgnored };
+
+struct Criterion {
+  EGLint attribute;
+  Match match;
+  EGLint value;  // the default of table 3.4
+};
+
+constexpr std::array kDefaults = {
+    Criterion{EGL_BUFFER_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_RED_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_GREEN_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_BLUE_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_LUMINANCE_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_ALPHA_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_ALPHA_MASK_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_BIND_TO_TEXTURE_RGB, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_BIND_TO_TEXTURE_RGBA, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_COLOR_BUFFER_TYPE, Match::kExact, EGL_RGB_BUFFER},
+    Criterion{EGL_CONFIG_CAVEAT, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_CONFIG_ID, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_CONFORMANT, Match::kMask, 0},
+    Criterion{EGL_DEPTH_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_LEVEL, Match::kExact, 0},
+    Criterion{EGL_MATCH_NATIVE_PIXMAP, Match::kIgnored, EGL_NONE},
+    Criterion{EGL_MAX_SWAP_INTERVAL, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_MIN_SWAP_INTERVAL, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_NATIVE_RENDERABLE, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_NATIVE_VISUAL_TYPE, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_RENDERABLE_TYPE, Match::kMask, EGL_OPENGL_ES_BIT},
+    Criterion{EGL_SAMPLE_BUFFERS, Match::kAtLeast, 0},
+    Criterion{EGL_SAMPLES, Match::kAtLeast, 0},
+    Criterion{EGL_STENCIL_SIZE, Match::kAtLeast, 0},
+    Criterion{EGL_SURFACE_TYPE, Match::kMask, EGL_WINDOW_BIT},
+    Criterion{EGL_TRANSPARENT_TYPE, Match::kExact, EGL_NONE},
+    Criterion{EGL_TRANSPARENT_RED_VALUE, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_TRANSPARENT_GREEN_VALUE, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_TRANSPARENT_BLUE_VALUE, Match::kExact, EGL_DONT_CARE},
+    // Queries only: accepted and ignored in a list.
+    Criterion{EGL_MAX_PBUFFER_WIDTH, Match::kIgnored, 0},
+    Criterion{EGL_MAX_PBUFFER_HEIGHT, Match::kIgnored, 0},
+    Criterion{EGL_MAX_PBUFFER_PIXELS, Match::kIgnored, 0},
+    Criterion{EGL_NATIVE_VISUAL_ID, Match::kIgnored, 0},
+};
+
+bool matches(const Config& config, const Criterion& criterion) {
+  if (criterion.match == Match::kIgnored || criterion.value == EGL_DONT_CARE) return true;
+  EGLint value = 0;
+  config_attrib(config, criterion.attribute, value);
+  switch (criterion.match) {
+    case Match::kAtLeast:
+      return value >= criterion.value;
+    case Match::kExact:
+      return value == criterion.value;
+    case Match::kMask:
+      return (value & criterion.value) == criterion.value;
+    case Match::kIgnored:
+      break;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::span<const Config> configs() {
+  static const std::vector<Config> list = make_configs();
+  return list;
+}
+
+const Config* find_config(EGLConfig handle) {
+  for (const Config& config : configs()) {
+    if (&config == handle) return &config;
+  }
+  return nullptr;
+}
+
+bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
+  switch (attribute) {
+    case EGL_BUFFER_SIZE:
+      value = config.red + config.green + config.blue + config.alpha;
+      break;
+    case EGL_RED_SIZE:
+      value = config.red;
+      break;
+    case EGL_GREEN_SIZE:
+      value = config.green;
+      break;
+    case EGL_BLUE_SIZE:
+      value = config.blue;
+      break;
+    case EGL_ALPHA_SIZE:
+      value = config.alpha;
+      break;
+    case EGL_DEPTH_SIZE:
+      value = config.depth;
+      break;
+    case EGL_STENCIL_SIZE:
+      value = config.stencil;
+      break;
+    case EGL_LUMINANCE_SIZE:
+    case EGL_ALPHA_MASK_SIZE:
+    case EGL_SAMPLE_BUFFERS:
+    case EGL_SAMPLES:
+    case EGL_LEVEL:
+    case EGL_NATIVE_VISUAL_ID:
+    case EGL_TRANSPARENT_RED_VALUE:
+    case EGL_TRANSPARENT_GREEN_VALUE:
+    case EGL_TRANSPARENT_BLUE_VALUE:
+    case EGL_MIN_SWAP_INTERVAL:
+      value = 0;
+      break;
+    case EGL_MAX_SWAP_INTERVAL:
+      value = 1;
+      break;
+    case EGL_BIND_TO_TEXTURE_RGB:
+    case EGL_BIND_TO_TEXTURE_RGBA:
+    case EGL_NATIVE_RENDERABLE:
+      value = EGL_FALSE;
+      break;
+    case EGL_COLOR_BUFFER_TYPE:
+      value = EGL_RGB_BUFFER;
+      break;
+    case EGL_CONFIG_CAVEAT:
+    case EGL_NATIVE_VISUAL_TYPE:
+    case EGL_TRANSPARENT_TYPE:
+      value = EGL_NONE;
+      break;
+    case EGL_CONFIG_ID:
+      value = config.id;
+      break;
+    case EGL_CONFORMANT:
+    case EGL_RENDERABLE_TYPE:
+      value = EGL_OPENGL_ES_BIT;
+      break;
+    case EGL_MAX_PBUFFER_WIDTH:
+    case EGL_MAX_PBUFFER_HEIGHT:
+      value = kMaxPbuffer;
+      break;
+    case EGL_MAX_PBUFFER_PIXELS:
+      value = kMaxPbuffer * kMaxPbuffer;
+      break;
+    case EGL_SURFACE_TYPE:
+      value = EGL_PBUFFER_BIT;
+      break;
+    default:
+      return false;
+  }
+  return true;
+}
+
+EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out) {
+  auto criteria = kDefaults;
+  for (const EGLint* a = attrib_list; a != nullptr && *a != EGL_NONE; a += 2) {
+    const auto found = std::find_if(criteria.begin(), criteria.end(),
+                                    [&](const Criterion& c) { return c.attribute == a[0]; });
+    if (found == criteria.end()) return EGL_BAD_ATTRIBUTE;
+    found->value = a[1];
+    if (a[0] == EGL_MATCH_NATIVE_PIXMAP) found->match = Match::kIgnored;
+  }
+  const auto requested = [&](EGLint attribute) {
+    return std::find_if(criteria.begin(), criteria.end(),
+                        [&](const Criterion& c) { return c.attribute == attribute; })
+        ->value;
+  };
+  // 3.4.1.1: a config asked for by its number is returned whatever the other attributes say.
+  if (const EGLint id = requested(EGL_CONFIG_ID); id != EGL_DONT_CARE) {
+    for (const Config& config : configs()) {
+      if (config.id == id) out.push_back(&config);
+    }
+    return EGL_SUCCESS;
+  }
+  for (const Config& config : configs()) {
+    if (std::all_of(criteria.begin(), criteria.end(),
+                    [&](const Criterion& c) { return matches(config, c); })) {
+      out.push_back(&config);
+    }
+  }
+  // More bits of the colours that were asked for come first, then the smaller buffer, depth,
+  // stencil, and the number of the config.
+  const auto asked = [&](EGLint attribute) {
+    const EGLint value = requested(attribute);
+    return value != 0 && value != EGL_DONT_CARE;
+  };
+  const auto key = [&](const Config* c) {
+    const EGLint bits =
+        (asked(EGL_RED_SIZE) ? c->red : 0) + (asked(EGL_GREEN_SIZE) ? c->green : 0) +
+        (asked(EGL_BLUE_SIZE) ? c->blue : 0) + (asked(EGL_ALPHA_SIZE) ? c->alpha : 0);
+    return std::tuple(-bits, c->red + c->green + c->blue + c->alpha, c->depth, c->stencil, c->id);
+  };
+  std::sort(out.begin(), out.end(),
+            [&](const Config* a, const Config* b) { return key(a) < key(b); });
+  return EGL_SUCCESS;
+}
+
+}  // namespace clearpipe::icd

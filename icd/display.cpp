@@ -1,0 +1,88 @@
+// Displays, and the threads that use them: see display.h.
+// SPDX-License-Identifier: MIT
+#include "icd/display.h"
+
+#include <algorithm>
+
+namespace clearpipe::icd {
+
+namespace {
+
+template <class Object>
+Object* find_living(const std::vector<std::unique_ptr<Object>>& objects, const void* handle) {
+  const auto found = std::find_if(objects.begin(), objects.end(), [&](const auto& object) {
+    return object.get() == handle && !object->destroyed;
+  });
+  return found == objects.end() ? nullptr : found->get();
+}
+
+template <class Object>
+void erase_dead(std::vector<std::unique_ptr<Object>>& objects) {
+  std::erase_if(objects, [](const auto& object) { return object->destroyed && !object->current; });
+}
+
+// Displays are never freed: a handle stays good for the life of the process (3.2).
+std::vector<std::unique_ptr<Display>>& displays() {
+  static auto* list = new std::vector<std::unique_ptr<Display>>;
+  return *list;
+}
+
+}  // namespace
+
+std::mutex& egl_mutex() {
+  static auto* mutex = new std::mutex;
+  return *mutex;
+}
+
+Surface* Display::surface(EGLSurface handle) { return find_living(surfaces, handle); }
+Context* Display::context(EGLContext handle) { return find_living(contexts, handle); }
+
+void Display::sweep() {
+  erase_dead(contexts);
+  erase_dead(surfaces);
+}
+
+Display* find_display(EGLDisplay handle) {
+  for (const auto& display : displays()) {
+    if (display.get() == handle) return display.get();
+  }
+  return nullptr;
+}
+
+Display* get_display(EGLenum platform, void* native_display) {
+  // EGL_NONE asks for a vendor's default display, which is the surfaceless one here.
+  if ((platform != EGL_NONE && platform != EGL_PLATFORM_SURFACELESS_MESA) ||
+      native_display != nullptr) {
+    return nullptr;
+  }
+  if (displays().empty()) {
+    displays().push_back(std::make_unique<Display>());
+  }
+  return displays().front().get();
+}
+
+void release_current(Thread& thread) {
+  if (thread.context == nullptr) return;
+  api::make_current(nullptr, {}, {});
+  Context& context = *thread.context;
+  context.current = false;
+  if (context.draw != nullptr) context.draw->current = false;
+  if (context.read != nullptr) context.read->current = false;
+  context.draw = context.read = nullptr;
+  thread.context = nullptr;
+  Display* display = thread.display;
+  thread.display = nullptr;
+  display->sweep();
+}
+
+Thread::~Thread() {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  release_current(*this);
+}
+
+Thread& this_thread() {
+  static thread_local Thread thread;
+  return thread;
+}
+
+}  // namespace clearpipe::icd

@@ -1,0 +1,207 @@
+// EGL commands on contexts, synchronization and procedure addresses (3.7, 3.8, 3.10).
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <new>
+
+#include "icd/entry.h"
+
+namespace clearpipe::icd::entry {
+
+namespace {
+
+// Table 3.7.1: the version and flags a context may be asked for. Only OpenGL ES 1.x is here.
+EGLint check_context_attributes(const EGLint* list) {
+  EGLint major = 1, minor = 0;
+  for (; list != nullptr && *list != EGL_NONE; list += 2) {
+    switch (list[0]) {
+      case EGL_CONTEXT_MAJOR_VERSION:
+        major = list[1];
+        break;
+      case EGL_CONTEXT_MINOR_VERSION:
+        minor = list[1];
+        break;
+      case EGL_CONTEXT_FLAGS_KHR:
+        if (list[1] != 0) return EGL_BAD_ATTRIBUTE;
+        break;
+      case EGL_CONTEXT_OPENGL_DEBUG:
+        if (list[1] != EGL_FALSE) return EGL_BAD_MATCH;
+        break;
+      default:
+        return EGL_BAD_ATTRIBUTE;
+    }
+  }
+  if (major < 1 || minor < 0) return EGL_BAD_MATCH;
+  if (major != 1 || minor > 1) return EGL_BAD_MATCH;
+  return EGL_SUCCESS;
+}
+
+// 3.7.3: context and surface must have buffers that agree.
+bool compatible(const Context& context, const Surface& surface) {
+  const Config* a = context.config;
+  const Config* b = surface.config;
+  return a == nullptr || (a->red == b->red && a->green == b->green && a->blue == b->blue &&
+                          a->alpha == b->alpha && a->depth == b->depth && a->stencil == b->stencil);
+}
+
+bool bound_elsewhere(const Surface& surface, const Context* previous) {
+  return surface.current &&
+         (previous == nullptr || (previous->draw != &surface && previous->read != &surface));
+}
+
+}  // namespace
+
+EGLBoolean BindAPI(EGLenum api) noexcept {
+  if (api != EGL_OPENGL_ES_API) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  this_thread().api = api;
+  return succeed(EGL_TRUE);
+}
+
+EGLenum QueryAPI() noexcept { return succeed(this_thread().api); }
+
+EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_context,
+                         const EGLint* attrib_list) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_NO_CONTEXT;
+  auto context = std::make_unique<Context>();
+  if (config != EGL_NO_CONFIG_KHR) {
+    context->config = find_config(config);
+    if (context->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_CONTEXT);
+  }
+  api::Context* share = nullptr;
+  if (share_context != EGL_NO_CONTEXT) {
+    const Context* other = display->context(share_context);
+    if (other == nullptr) return fail(EGL_BAD_CONTEXT, EGL_NO_CONTEXT);
+    share = other->context;
+  }
+  if (const EGLint error = check_context_attributes(attrib_list); error != EGL_SUCCESS) {
+    return fail(error, EGL_NO_CONTEXT);
+  }
+  context->context = api::create_context(share);
+  if (context->context == nullptr) return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
+  display->contexts.push_back(std::move(context));
+  return succeed<EGLContext>(display->contexts.back().get());
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
+}
+
+EGLBoolean DestroyContext(EGLDisplay dpy, EGLContext ctx) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  Context* context = display->context(ctx);
+  if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
+  context->destroyed = true;
+  display->sweep();
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) noexcept
+    try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Thread& thread = this_thread();
+  Display* display = find_display(dpy);
+  if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
+  if (ctx == EGL_NO_CONTEXT) {
+    if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE) return fail(EGL_BAD_MATCH, EGL_FALSE);
+    release_current(thread);  // allowed on a display that is not initialized (3.7.3)
+    return succeed(EGL_TRUE);
+  }
+  if (!display->initialized) return fail(EGL_NOT_INITIALIZED, EGL_FALSE);
+  Context* context = display->context(ctx);
+  if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
+  if ((draw == EGL_NO_SURFACE) != (read == EGL_NO_SURFACE)) return fail(EGL_BAD_MATCH, EGL_FALSE);
+  Surface* draw_surface = draw == EGL_NO_SURFACE ? nullptr : display->surface(draw);
+  Surface* read_surface = read == EGL_NO_SURFACE ? nullptr : display->surface(read);
+  if (draw != EGL_NO_SURFACE && (draw_surface == nullptr || read_surface == nullptr)) {
+    return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  }
+  if (context->current && thread.context != context) return fail(EGL_BAD_ACCESS, EGL_FALSE);
+  for (const Surface* surface : {draw_surface, read_surface}) {
+    if (surface == nullptr) continue;
+    if (bound_elsewhere(*surface, thread.context)) return fail(EGL_BAD_ACCESS, EGL_FALSE);
+    if (!compatible(*context, *surface)) return fail(EGL_BAD_MATCH, EGL_FALSE);
+  }
+  if (thread.context != context) release_current(thread);
+  if (context->draw != nullptr) context->draw->current = false;
+  if (context->read != nullptr) context->read->current = false;
+  const pipeline::Target none;
+  if (!api::make_current(context->context, draw_surface != nullptr ? draw_surface->target : none,
+                         read_surface != nullptr ? read_surface->target : none)) {
+    return fail(EGL_BAD_ALLOC, EGL_FALSE);
+  }
+  context->current = true;
+  context->draw = draw_surface;
+  context->read = read_surface;
+  if (draw_surface != nullptr) draw_surface->current = read_surface->current = true;
+  thread.context = context;
+  thread.display = display;
+  display->sweep();
+  return succeed(EGL_TRUE);
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_FALSE);
+}
+
+EGLContext GetCurrentContext() noexcept { return succeed<EGLContext>(this_thread().context); }
+
+EGLSurface GetCurrentSurface(EGLint readdraw) noexcept {
+  const Context* context = this_thread().context;
+  if (readdraw != EGL_DRAW && readdraw != EGL_READ) return fail(EGL_BAD_PARAMETER, EGL_NO_SURFACE);
+  if (context == nullptr) return succeed(EGL_NO_SURFACE);
+  return succeed<EGLSurface>(readdraw == EGL_DRAW ? context->draw : context->read);
+}
+
+EGLDisplay GetCurrentDisplay() noexcept { return succeed<EGLDisplay>(this_thread().display); }
+
+EGLBoolean QueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint* value) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  const Context* context = display->context(ctx);
+  if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
+  if (value == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  switch (attribute) {
+    case EGL_CONFIG_ID:
+      *value = context->config != nullptr ? context->config->id : 0;
+      break;
+    case EGL_CONTEXT_CLIENT_TYPE:
+      *value = EGL_OPENGL_ES_API;
+      break;
+    case EGL_CONTEXT_CLIENT_VERSION:
+      *value = 1;
+      break;
+    case EGL_RENDER_BUFFER:
+      *value = context->draw != nullptr ? EGL_BACK_BUFFER : EGL_NONE;
+      break;
+    default:
+      return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
+  }
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean WaitClient() noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (const Context* context = this_thread().context; context != nullptr) {
+    api::finish(context->context);
+  }
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean WaitGL() noexcept { return WaitClient(); }
+
+EGLBoolean WaitNative(EGLint engine) noexcept {
+  if (engine != EGL_CORE_NATIVE_ENGINE) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  return succeed(EGL_TRUE);
+}
+
+__eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) noexcept {
+  using Proc = __eglMustCastToProperFunctionPointerType;
+  if (procname == nullptr) return succeed<Proc>(nullptr);
+#define CALL(type, name, parameters, arguments) \
+  if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
+#include "icd/egl15.def"
+#undef CALL
+  return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
+}
+
+}  // namespace clearpipe::icd::entry

@@ -1,0 +1,157 @@
+// EGL commands on errors, displays and configs (3.1 to 3.4).
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <new>
+
+#include "icd/entry.h"
+
+namespace clearpipe::icd::entry {
+
+namespace {
+
+constexpr const char* kClientExtensions =
+    "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless";
+constexpr const char* kDisplayExtensions =
+    "EGL_KHR_config_attribs EGL_KHR_create_context EGL_KHR_get_all_proc_addresses "
+    "EGL_KHR_no_config_context EGL_KHR_surfaceless_context";
+
+EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
+                          EGLint* num_config) {
+  if (configs == nullptr) {
+    *num_config = static_cast<EGLint>(count);
+    return succeed(EGL_TRUE);
+  }
+  EGLint n = 0;
+  for (; n < size && n < static_cast<EGLint>(count); ++n) {
+    configs[n] = const_cast<Config*>(list[n]);
+  }
+  *num_config = n;
+  return succeed(EGL_TRUE);
+}
+
+}  // namespace
+
+Display* initialized_display(EGLDisplay handle) {
+  Display* display = find_display(handle);
+  if (display == nullptr) return fail(EGL_BAD_DISPLAY, display);
+  if (!display->initialized) return fail(EGL_NOT_INITIALIZED, static_cast<Display*>(nullptr));
+  return display;
+}
+
+EGLint GetError() noexcept {
+  const EGLint error = this_thread().error;
+  this_thread().error = EGL_SUCCESS;
+  return error;
+}
+
+EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  // An unknown native display matches nothing, which is no error (3.2).
+  return succeed<EGLDisplay>(get_display(EGL_NONE, reinterpret_cast<void*>(display_id)));
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
+}
+
+EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
+                              const EGLAttrib* attrib_list) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (platform != EGL_PLATFORM_SURFACELESS_MESA && platform != EGL_NONE) {
+    return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
+  }
+  if (native_display != nullptr) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
+  if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
+    return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
+  }
+  return succeed<EGLDisplay>(get_display(platform, native_display));
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
+}
+
+EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = find_display(dpy);
+  if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
+  display->initialized = true;
+  if (major != nullptr) *major = 1;
+  if (minor != nullptr) *minor = 5;
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean Terminate(EGLDisplay dpy) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = find_display(dpy);
+  if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
+  for (const auto& surface : display->surfaces) surface->destroyed = true;
+  for (const auto& context : display->contexts) context->destroyed = true;
+  display->sweep();
+  display->initialized = false;
+  return succeed(EGL_TRUE);
+}
+
+const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  const char* none = nullptr;
+  if (dpy == EGL_NO_DISPLAY && (name == EGL_EXTENSIONS || name == EGL_VERSION)) {
+    return succeed(name == EGL_EXTENSIONS ? kClientExtensions : "1.5 clearpipe");
+  }
+  if (initialized_display(dpy) == nullptr) return none;
+  switch (name) {
+    case EGL_CLIENT_APIS:
+      return succeed("OpenGL_ES");
+    case EGL_EXTENSIONS:
+      return succeed(kDisplayExtensions);
+    case EGL_VENDOR:
+      return succeed("clearpipe");
+    case EGL_VERSION:
+      return succeed("1.5 clearpipe");
+    default:
+      return fail(EGL_BAD_PARAMETER, none);
+  }
+}
+
+EGLBoolean ReleaseThread() noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Thread& thread = this_thread();
+  release_current(thread);
+  thread.api = EGL_OPENGL_ES_API;
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean GetConfigs(EGLDisplay dpy, EGLConfig* out, EGLint config_size,
+                      EGLint* num_config) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  if (num_config == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  std::vector<const Config*> list;
+  for (const Config& config : configs()) list.push_back(&config);
+  return return_configs(list.data(), list.size(), out, config_size, num_config);
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_FALSE);
+}
+
+EGLBoolean ChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* out,
+                        EGLint config_size, EGLint* num_config) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  if (num_config == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  std::vector<const Config*> list;
+  if (const EGLint error = choose_configs(attrib_list, list); error != EGL_SUCCESS) {
+    return fail(error, EGL_FALSE);
+  }
+  return return_configs(list.data(), list.size(), out, config_size, num_config);
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_FALSE);
+}
+
+EGLBoolean GetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute,
+                           EGLint* value) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  const Config* found = find_config(config);
+  if (found == nullptr) return fail(EGL_BAD_CONFIG, EGL_FALSE);
+  if (value == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  if (!config_attrib(*found, attribute, *value)) return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
+  return succeed(EGL_TRUE);
+}
+
+}  // namespace clearpipe::icd::entry

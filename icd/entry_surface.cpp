@@ -1,0 +1,240 @@
+// EGL commands on surfaces (3.5, 3.6, 3.10).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <new>
+
+#include "icd/entry.h"
+
+namespace clearpipe::icd::entry {
+
+namespace {
+
+struct PbufferAttributes {
+  EGLint width = 0, height = 0;
+  bool largest = false;
+};
+
+// Table 3.5 and the text under it; the EGL error or EGL_SUCCESS.
+EGLint parse_pbuffer(const EGLint* list, PbufferAttributes& out) {
+  for (; list != nullptr && *list != EGL_NONE; list += 2) {
+    const EGLint value = list[1];
+    switch (list[0]) {
+      case EGL_WIDTH:
+        if (value < 0) return EGL_BAD_PARAMETER;
+        out.width = value;
+        break;
+      case EGL_HEIGHT:
+        if (value < 0) return EGL_BAD_PARAMETER;
+        out.height = value;
+        break;
+      case EGL_LARGEST_PBUFFER:
+        out.largest = value != EGL_FALSE;
+        break;
+      case EGL_TEXTURE_FORMAT:
+      case EGL_TEXTURE_TARGET:
+        // No config binds to a texture.
+        if (value != EGL_NO_TEXTURE) return EGL_BAD_MATCH;
+        break;
+      case EGL_MIPMAP_TEXTURE:
+      case EGL_GL_COLORSPACE:
+      case EGL_VG_COLORSPACE:
+      case EGL_VG_ALPHA_FORMAT:
+        break;
+      default:
+        return EGL_BAD_ATTRIBUTE;
+    }
+  }
+  if (out.width > kMaxPbuffer || out.height > kMaxPbuffer) {
+    if (!out.largest) return EGL_BAD_ALLOC;
+    out.width = std::min(out.width, kMaxPbuffer);
+    out.height = std::min(out.height, kMaxPbuffer);
+  }
+  return EGL_SUCCESS;
+}
+
+bool make_target(Surface& surface) {
+  pipeline::Target& target = surface.target;
+  const Config& config = *surface.config;
+  // A surface without pixels still has buffers that can be bound.
+  const int width = std::max(surface.width, 1), height = std::max(surface.height, 1);
+  target.width = surface.width;
+  target.height = surface.height;
+  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0);
+  if (!target.colour) return false;
+  if (config.depth > 0 || config.stencil > 0) {
+    target.depth_stencil =
+        pipeline::make_depth_stencil_buffer(width, height, config.depth > 0, config.stencil > 0);
+    if (!target.depth_stencil) return false;
+  }
+  return true;
+}
+
+// Windows and pixmaps: no config of a surfaceless display renders to them (3.5.1, 3.5.4).
+EGLSurface refuse_native_surface(EGLDisplay dpy, EGLConfig config) {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_NO_SURFACE;
+  if (find_config(config) == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
+  return fail(EGL_BAD_MATCH, EGL_NO_SURFACE);
+}
+
+}  // namespace
+
+EGLSurface CreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
+                                const EGLint* attrib_list) noexcept try {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_NO_SURFACE;
+  auto surface = std::make_unique<Surface>();
+  surface->config = find_config(config);
+  if (surface->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
+  PbufferAttributes attributes;
+  if (const EGLint error = parse_pbuffer(attrib_list, attributes); error != EGL_SUCCESS) {
+    return fail(error, EGL_NO_SURFACE);
+  }
+  surface->width = attributes.width;
+  surface->height = attributes.height;
+  surface->largest_pbuffer = attributes.largest;
+  if (!make_target(*surface)) return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
+  display->surfaces.push_back(std::move(surface));
+  return succeed<EGLSurface>(display->surfaces.back().get());
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
+}
+
+EGLSurface CreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType,
+                               const EGLint*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void*,
+                                       const EGLAttrib*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType,
+                               const EGLint*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void*,
+                                       const EGLAttrib*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLBoolean DestroySurface(EGLDisplay dpy, EGLSurface handle) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  Surface* surface = display->surface(handle);
+  if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  surface->destroyed = true;
+  display->sweep();
+  return succeed(EGL_TRUE);
+}
+
+// Table 3.5 (queryable surface attributes).
+EGLBoolean QuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
+                        EGLint* value) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  const Surface* surface = display->surface(handle);
+  if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  if (value == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  switch (attribute) {
+    case EGL_CONFIG_ID:
+      *value = surface->config->id;
+      break;
+    case EGL_WIDTH:
+      *value = surface->width;
+      break;
+    case EGL_HEIGHT:
+      *value = surface->height;
+      break;
+    case EGL_LARGEST_PBUFFER:
+      *value = surface->largest_pbuffer ? EGL_TRUE : EGL_FALSE;
+      break;
+    case EGL_RENDER_BUFFER:
+      *value = EGL_BACK_BUFFER;
+      break;
+    case EGL_SWAP_BEHAVIOR:
+      *value = surface->swap_behavior;
+      break;
+    case EGL_MULTISAMPLE_RESOLVE:
+      *value = surface->multisample_resolve;
+      break;
+    case EGL_MIPMAP_LEVEL:
+      *value = surface->mipmap_level;
+      break;
+    case EGL_MIPMAP_TEXTURE:
+      *value = EGL_FALSE;
+      break;
+    case EGL_TEXTURE_FORMAT:
+    case EGL_TEXTURE_TARGET:
+      *value = EGL_NO_TEXTURE;
+      break;
+    case EGL_GL_COLORSPACE:
+      *value = EGL_GL_COLORSPACE_LINEAR;
+      break;
+    case EGL_HORIZONTAL_RESOLUTION:
+    case EGL_VERTICAL_RESOLUTION:
+    case EGL_PIXEL_ASPECT_RATIO:
+      *value = EGL_UNKNOWN;
+      break;
+    default:
+      return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
+  }
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
+                         EGLint value) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  Surface* surface = display->surface(handle);
+  if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  switch (attribute) {
+    case EGL_MIPMAP_LEVEL:
+      surface->mipmap_level = value;
+      break;
+    case EGL_MULTISAMPLE_RESOLVE:
+      if (value == EGL_MULTISAMPLE_RESOLVE_BOX) return fail(EGL_BAD_MATCH, EGL_FALSE);
+      if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      break;
+    case EGL_SWAP_BEHAVIOR:
+      // Pbuffers are preserved, and no config lets a surface choose
+      // (EGL_SWAP_BEHAVIOR_PRESERVED_BIT).
+      if (value == EGL_BUFFER_PRESERVED) return fail(EGL_BAD_MATCH, EGL_FALSE);
+      if (value != EGL_BUFFER_DESTROYED) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      surface->swap_behavior = value;
+      break;
+    default:
+      return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
+  }
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean SwapBuffers(EGLDisplay dpy, EGLSurface handle) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  Surface* surface = display->surface(handle);
+  if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  Context* context = this_thread().context;
+  if (context == nullptr || context->draw != surface) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  // A pbuffer is single-buffered: nothing is exchanged, but the frame ends (3.10.1).
+  api::finish(context->context);
+  return succeed(EGL_TRUE);
+}
+
+EGLBoolean SwapInterval(EGLDisplay dpy, EGLint) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  const Context* context = this_thread().context;
+  if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
+  if (context->draw == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  return succeed(EGL_TRUE);  // has effect on windows only
+}
+
+}  // namespace clearpipe::icd::entry
