@@ -77,6 +77,16 @@ EGLSurface refuse_native_surface(EGLDisplay dpy, EGLConfig config) {
   return fail(EGL_BAD_MATCH, EGL_NO_SURFACE);
 }
 
+// No config binds to a texture, so the format of every surface is EGL_NO_TEXTURE (3.6.1, 3.6.2).
+EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  if (display->surface(handle) == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  if (buffer != EGL_BACK_BUFFER) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  return fail(EGL_BAD_MATCH, EGL_FALSE);
+}
+
 }  // namespace
 
 EGLSurface CreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
@@ -119,6 +129,15 @@ EGLSurface CreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmap
 EGLSurface CreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void*,
                                        const EGLAttrib*) noexcept {
   return refuse_native_surface(dpy, config);
+}
+
+// Client buffers are OpenVG's images (3.5.3), and there is no OpenVG here.
+EGLSurface CreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig config,
+                                         const EGLint*) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  if (initialized_display(dpy) == nullptr) return EGL_NO_SURFACE;
+  if (find_config(config) == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
+  return fail(EGL_BAD_PARAMETER, EGL_NO_SURFACE);
 }
 
 EGLBoolean DestroySurface(EGLDisplay dpy, EGLSurface handle) noexcept {
@@ -215,6 +234,14 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
   return succeed(EGL_TRUE);
 }
 
+EGLBoolean BindTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer) noexcept {
+  return refuse_texture(dpy, surface, buffer);
+}
+
+EGLBoolean ReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer) noexcept {
+  return refuse_texture(dpy, surface, buffer);
+}
+
 EGLBoolean SwapBuffers(EGLDisplay dpy, EGLSurface handle) noexcept {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = initialized_display(dpy);
@@ -226,6 +253,15 @@ EGLBoolean SwapBuffers(EGLDisplay dpy, EGLSurface handle) noexcept {
   // A pbuffer is single-buffered: nothing is exchanged, but the frame ends (3.10.1).
   api::finish(context->context);
   return succeed(EGL_TRUE);
+}
+
+// A surfaceless display has no native pixmaps (3.10.2).
+EGLBoolean CopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  if (display->surface(handle) == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  return fail(EGL_BAD_NATIVE_PIXMAP, EGL_FALSE);
 }
 
 EGLBoolean SwapInterval(EGLDisplay dpy, EGLint) noexcept {
