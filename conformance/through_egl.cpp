@@ -1,0 +1,115 @@
+// See through_egl.h. The loader is opened with RTLD_LOCAL: none of its GL symbols may be found by
+// the reference's libraries in the same process.
+// SPDX-License-Identifier: MIT
+#include "conformance/through_egl.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+
+#include <stdexcept>
+
+namespace clearpipe::conformance {
+
+namespace {
+
+class ThroughEgl final : public Implementation {
+ public:
+  ThroughEgl() {
+    library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (library_ == nullptr) throw std::runtime_error(dlerror());
+    const auto egl = [&](const char* symbol) { return dlsym(library_, symbol); };
+    get_proc_address_ = reinterpret_cast<decltype(&eglGetProcAddress)>(egl("eglGetProcAddress"));
+    get_error_ = reinterpret_cast<decltype(&eglGetError)>(egl("eglGetError"));
+    choose_config_ = reinterpret_cast<decltype(&eglChooseConfig)>(egl("eglChooseConfig"));
+    create_context_ = reinterpret_cast<decltype(&eglCreateContext)>(egl("eglCreateContext"));
+    destroy_context_ = reinterpret_cast<decltype(&eglDestroyContext)>(egl("eglDestroyContext"));
+    create_pbuffer_ =
+        reinterpret_cast<decltype(&eglCreatePbufferSurface)>(egl("eglCreatePbufferSurface"));
+    destroy_surface_ = reinterpret_cast<decltype(&eglDestroySurface)>(egl("eglDestroySurface"));
+    make_current_ = reinterpret_cast<decltype(&eglMakeCurrent)>(egl("eglMakeCurrent"));
+    terminate_ = reinterpret_cast<decltype(&eglTerminate)>(egl("eglTerminate"));
+    const auto get_platform_display =
+        reinterpret_cast<decltype(&eglGetPlatformDisplay)>(egl("eglGetPlatformDisplay"));
+    const auto initialize = reinterpret_cast<decltype(&eglInitialize)>(egl("eglInitialize"));
+
+    display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    check(display_ != EGL_NO_DISPLAY && initialize(display_, nullptr, nullptr), "eglInitialize");
+    const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                             EGL_PBUFFER_BIT,
+                             EGL_RENDERABLE_TYPE,
+                             EGL_OPENGL_ES_BIT,
+                             EGL_RED_SIZE,
+                             8,
+                             EGL_ALPHA_SIZE,
+                             8,
+                             EGL_DEPTH_SIZE,
+                             24,
+                             EGL_STENCIL_SIZE,
+                             8,
+                             EGL_NONE};
+    EGLint count = 0;
+    check(choose_config_(display_, wanted, &config_, 1, &count) && count == 1, "eglChooseConfig");
+    gl_ = load_gl(
+        [&](const char* symbol) { return reinterpret_cast<void*>(get_proc_address_(symbol)); });
+  }
+
+  ~ThroughEgl() override {
+    end();
+    terminate_(display_);
+    dlclose(library_);
+  }
+
+  const Gl& begin(int width, int height) override {
+    end();
+    context_ = create_context_(display_, config_, EGL_NO_CONTEXT, nullptr);
+    check(context_ != EGL_NO_CONTEXT, "eglCreateContext");
+    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    surface_ = create_pbuffer_(display_, config_, size);
+    check(surface_ != EGL_NO_SURFACE, "eglCreatePbufferSurface");
+    check(make_current_(display_, surface_, surface_, context_), "eglMakeCurrent");
+    name_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+    return gl_;
+  }
+
+  void end() override {
+    if (context_ == EGL_NO_CONTEXT) return;
+    make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (surface_ != EGL_NO_SURFACE) destroy_surface_(display_, surface_);
+    destroy_context_(display_, context_);
+    context_ = EGL_NO_CONTEXT;
+    surface_ = EGL_NO_SURFACE;
+  }
+
+  std::string name() const override { return name_; }
+
+ private:
+  void check(bool good, const char* call) {
+    if (good) return;
+    throw std::runtime_error(std::string(call) + " failed, EGL error " +
+                             std::to_string(get_error_()));
+  }
+
+  void* library_ = nullptr;
+  decltype(&eglGetProcAddress) get_proc_address_;
+  decltype(&eglGetError) get_error_;
+  decltype(&eglChooseConfig) choose_config_;
+  decltype(&eglCreateContext) create_context_;
+  decltype(&eglDestroyContext) destroy_context_;
+  decltype(&eglCreatePbufferSurface) create_pbuffer_;
+  decltype(&eglDestroySurface) destroy_surface_;
+  decltype(&eglMakeCurrent) make_current_;
+  decltype(&eglTerminate) terminate_;
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLConfig config_ = nullptr;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  EGLSurface surface_ = EGL_NO_SURFACE;
+  Gl gl_;
+  std::string name_;
+};
+
+}  // namespace
+
+std::unique_ptr<Implementation> open_through_egl() { return std::make_unique<ThroughEgl>(); }
+
+}  // namespace clearpipe::conformance

@@ -1,0 +1,57 @@
+// See gles1_on_gl.h.
+// SPDX-License-Identifier: MIT
+#include "reference/gles1_on_gl.h"
+
+#include "reference/desktop.h"
+
+namespace clearpipe::reference {
+
+Gl desktop;
+DesktopOnly desktop_only;
+
+namespace {
+
+template <class Function>
+void load(Function& function, void* (*find)(const char*), const char* name) {
+  function = reinterpret_cast<Function>(find(name));
+}
+
+// The commands whose float form takes doubles on the desktop.
+void translate_doubles(Gl& gl) {
+  gl.Frustumf = [](GLfloat l, GLfloat r, GLfloat b, GLfloat t, GLfloat n, GLfloat f) {
+    desktop_only.Frustum(l, r, b, t, n, f);
+  };
+  gl.Orthof = [](GLfloat l, GLfloat r, GLfloat b, GLfloat t, GLfloat n, GLfloat f) {
+    desktop_only.Ortho(l, r, b, t, n, f);
+  };
+  gl.ClipPlanef = [](GLenum plane, const GLfloat* equation) {
+    const double wide[4] = {equation[0], equation[1], equation[2], equation[3]};
+    desktop_only.ClipPlane(plane, wide);
+  };
+  gl.GetClipPlanef = [](GLenum plane, GLfloat* equation) {
+    double wide[4] = {};
+    desktop_only.GetClipPlane(plane, wide);
+    for (int i = 0; i < 4; ++i) equation[i] = static_cast<float>(wide[i]);
+  };
+}
+
+}  // namespace
+
+Gl gles1_on_gl(void* (*find)(const char* name)) {
+  desktop = conformance::load_gl(find);
+  load(desktop_only.Frustum, find, "glFrustum");
+  load(desktop_only.Ortho, find, "glOrtho");
+  load(desktop_only.ClipPlane, find, "glClipPlane");
+  load(desktop_only.GetClipPlane, find, "glGetClipPlane");
+  load(desktop_only.GetBufferSubData, find, "glGetBufferSubData");
+  load(desktop.BlendFuncSeparateOES, find, "glBlendFuncSeparate");
+  load(desktop.BlendEquationOES, find, "glBlendEquation");
+  load(desktop.BlendEquationSeparateOES, find, "glBlendEquationSeparate");
+  Gl gl = desktop;
+  translate_doubles(gl);
+  translate_fixed(gl);
+  translate_arrays(gl);
+  return gl;
+}
+
+}  // namespace clearpipe::reference
