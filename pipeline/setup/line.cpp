@@ -29,25 +29,19 @@ struct EndPoint {
       : major(from_centre(p.major)),
         minor(from_centre(p.minor)),
         inside_diamond(std::fabs(major) + std::fabs(minor) < 0.5f) {}
-
-  // Whether the line passes through the diamond, which a slope within +-1 does exactly when it
-  // crosses the pixel's centre column inside the diamond's height of +-1/2.
-  bool crosses_diamond(float slope) const { return std::fabs(minor - major * slope) < 0.5f; }
 };
 
-// 3.4.1: a fragment is produced for each pixel whose diamond the line exits. At the start: the
-// pixel is left when the line starts in its diamond or still has to pass through it.
-bool start_is_drawn(const EndPoint& end, float slope, float direction) {
-  if (end.inside_diamond) return true;
-  const bool past_centre = end.major * direction > 0;
-  return !past_centre && end.crosses_diamond(slope);
+// 3.4.1: a fragment is produced for each pixel whose diamond the line exits. With a slope within
+// +-1 a line that crosses the centre of a column is there inside the diamond of one of the column's
+// pixels. So of an end's column a fragment is drawn when the line crosses its centre, and where the
+// diamond of the end itself decides otherwise: a line that starts in it leaves it, one that ends in
+// it does not.
+bool start_is_drawn(const EndPoint& end, float direction) {
+  return end.inside_diamond || end.major * direction <= 0;
 }
 
-// At the end: the pixel is left when the line has passed through its diamond before it ends.
-bool end_is_drawn(const EndPoint& end, float slope, float direction) {
-  if (end.inside_diamond) return false;
-  const bool past_centre = end.major * direction > 0;
-  return past_centre && end.crosses_diamond(slope);
+bool end_is_drawn(const EndPoint& end, float direction) {
+  return !end.inside_diamond && end.major * direction > 0;
 }
 
 // Moves an end point along the line to the border of its pixel's column, so that the column is
@@ -78,8 +72,8 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
   const EndPoint s(start), e(end);
   const bool start_covered = s.major * direction <= 0;
   const bool end_covered = e.major * direction > 0;
-  const bool start_drawn = start_is_drawn(s, slope, direction);
-  const bool end_drawn = end_is_drawn(e, slope, direction);
+  const bool start_drawn = start_is_drawn(s, direction);
+  const bool end_drawn = end_is_drawn(e, direction);
   if (start_covered != start_drawn) {
     start = move_to_column_border(start, s, slope, start_drawn ? -direction : direction);
   }
