@@ -26,6 +26,9 @@ struct Tolerance {
 inline constexpr Tolerance kExact = {0, 1.0, 0, 1.0, nullptr};
 inline constexpr Tolerance kColours = {};
 
+// As kColours, but a comparison or an edge decides some pixels one way or the other.
+constexpr Tolerance except_at_borders(const char* reason) { return {2, 0.999, 8, 0.999, reason}; }
+
 struct Scene {
   const char* topic;  // the file's, a folder in the report
   const char* name;

@@ -41,7 +41,7 @@ struct FragmentProgram {
   StencilState stencil;
   bool uses_depth_stencil = false;  // the chain reads and writes the stored values
   CompareFunc alpha_func = CompareFunc::kAlways;
-  int16_t alpha_reference = 0;
+  int16_t alpha_reference = 0;  // 0 to 255
   FogMode fog_mode = FogMode::kNone;
   float fog_scale = 0, fog_offset = 0;
   int16_t fog_colour[3] = {};

@@ -17,17 +17,6 @@ int16_t to_fixed(float v) {
   return static_cast<int16_t>(std::nearbyint(std::clamp(v, 0.0f, 1.0f) * float{kColourOne}));
 }
 
-// The alpha reference in the chain's units. Alpha often comes from 8 bits and is compared with a
-// multiple of 1/255, where the two must meet exactly.
-int16_t alpha_reference(float reference) {
-  const float scaled = reference * 255.0f;
-  const int nearest = static_cast<int>(std::nearbyint(scaled));
-  if (std::fabs(scaled - static_cast<float>(nearest)) < 1e-3f) {
-    return colour_from_unorm8(nearest);
-  }
-  return to_fixed(reference);
-}
-
 uint32_t packed_mask(uint8_t components) {
   uint32_t mask = 0;
   for (int c = 0; c < 4; ++c) {
@@ -122,7 +111,7 @@ FragmentProgram* make_fragment_program(const FragmentState& state, bool has_dept
   program->stencil.enabled = state.stencil.enabled && has_stencil;
   program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test;
   program->alpha_func = state.alpha_func;
-  program->alpha_reference = alpha_reference(state.alpha_reference);
+  program->alpha_reference = static_cast<int16_t>(std::nearbyint(state.alpha_reference * 255.0f));
   program->blend = state.blend;
   program->logic_op = state.logic_op;
   program->colour_mask = packed_mask(state.colour_mask);
