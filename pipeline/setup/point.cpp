@@ -12,7 +12,8 @@ namespace {
 
 // 3.3: an odd size is centred on a pixel, an even one on a pixel corner.
 bool setup_square(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
-  const int width = std::max(1, static_cast<int>(std::floor(size + 0.5f)));
+  // Rounded to nearest; of two equally near, the smaller.
+  const int width = std::max(1, static_cast<int>(std::ceil(size - 0.5f)));
   int32_t x = snap(window[0]);
   int32_t y = snap(window[1]);
   if (state.mirror_height > 0) {
