@@ -105,7 +105,8 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
 }
 
-uint32_t unorm8(float value) { return static_cast<uint32_t>(value * 255.0f + 0.5f); }
+// In double: 0.9f is below 229.5/255, and must not be rounded up to it first.
+uint32_t unorm8(float value) { return static_cast<uint32_t>(double{value} * 255.0 + 0.5); }
 
 }  // namespace
 

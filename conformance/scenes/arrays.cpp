@@ -106,7 +106,7 @@ SCENE(arrays, point_sizes, kExact) {
   const std::vector<GLshort> positions = as<GLshort>(integer_positions(203, 80), 1);
   Random random(205);
   std::vector<GLfloat> sizes(80);
-  for (GLfloat& size : sizes) size = random.uniform(0.6f, 30);
+  for (GLfloat& size : sizes) size = 0.7f + 0.25f * static_cast<float>(random.below(120));
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_POINT_SIZE_ARRAY_OES);
   gl.VertexPointer(2, GL_SHORT, 0, positions.data());
