@@ -2,6 +2,7 @@
 // vertex arrays and current values.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "api/exec.h"
@@ -105,8 +106,8 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
 }
 
-// In double: 0.9f is below 229.5/255, and must not be rounded up to it first.
-uint32_t unorm8(float value) { return static_cast<uint32_t>(double{value} * 255.0 + 0.5); }
+// Rounds as the reference does, to even: 0.3 is 76, 0.9 is 230.
+uint32_t unorm8(float value) { return static_cast<uint32_t>(std::nearbyint(value * 255.0f)); }
 
 }  // namespace
 
