@@ -267,6 +267,7 @@ void derive_fragment(Context& context) {
     const TextureUnitState& from = s.texture.unit[u];
     pipeline::TextureUnit& unit = f.unit[u];
     unit.enabled = from.enabled && is_complete(*from.texture);
+    context.texture_version[u] = from.texture->version;
     if (!unit.enabled) {
       if (unit.image) unit = {};
       continue;

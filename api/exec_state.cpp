@@ -73,7 +73,7 @@ GLenum get_error(Context& c) {
   return error;
 }
 
-void finish_all(Context& c) { c.frame.finish(); }
+void finish_all(Context& c) { c.finish_frame(); }
 
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;
