@@ -21,6 +21,15 @@ class Sharing : public CallTest {
   }
   void use_first() { make_current(context_, target_, target_); }
   void use_other() { make_current(other_, other_target_, other_target_); }
+  // While the first context stays current here: making it current again would derive all anew.
+  template <typename Body>
+  void in_other_thread(const Body& body) {
+    std::thread([&] {
+      use_other();
+      body();
+      make_current(nullptr, {}, {});
+    }).join();
+  }
   static GLint get(GLenum name) {
     GLint value = -1;
     glGetIntegerv(name, &value);
@@ -93,29 +102,25 @@ TEST_F(Sharing, ParametersChangedElsewhereAreNoticed) {
   draw_quad();
   EXPECT_EQ(left(), kRed);
 
-  use_other();
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  use_first();
-  draw_quad();
+  const auto set = [&](GLenum parameter, GLint value) {
+    in_other_thread([&] {
+      glBindTexture(GL_TEXTURE_2D, name);
+      glTexParameteri(GL_TEXTURE_2D, parameter, value);
+    });
+    draw_quad();
+  };
+  set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   EXPECT_EQ(left(), kBlue);
-
-  use_other();
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  use_first();
-  draw_quad();
+  set(GL_TEXTURE_WRAP_S, GL_REPEAT);
+  EXPECT_EQ(left(), kRed);
+  set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   EXPECT_NE(pixel(0, 8), kRed);  // half of the wrapped blue
-
-  use_other();
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  use_first();
-  draw_quad();
+  set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   EXPECT_EQ(left(), kWhite);  // incomplete now
-
-  use_other();
-  fill_texture(kGreen);  // 1x1 is complete
-  use_first();
+  in_other_thread([&] {
+    glBindTexture(GL_TEXTURE_2D, name);
+    fill_texture(kGreen);  // 1x1 is complete
+  });
   draw_quad();
   EXPECT_EQ(left(), kGreen);
 }
