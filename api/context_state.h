@@ -58,7 +58,7 @@ bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes);
 MatrixStack& current_stack(Context& context);
 const MatrixStack& current_stack(const Context& context);
 
-// The boolean a capability enables (2.4 and each section), with what it makes dirty; null value if
+// The boolean a capability enables (each in its section), with what it makes dirty; null value if
 // the enumerant is none.
 struct Capability {
   bool* value = nullptr;

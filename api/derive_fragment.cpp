@@ -242,7 +242,7 @@ void derive_pixel(const Context& context, pipeline::FragmentState& f) {
   f.depth_test = p.depth_test && planes && planes->has_depth;
   f.depth_write = fb.depth_mask;
   f.depth_func = compare(p.depth_func);
-  // Blending is off while the logical operation is on (4.1.8).
+  // Blending is off while the logical operation is on (4.1.9).
   f.blend.enabled = p.blend && !p.logic_op_enabled;
   f.blend.src_rgb = blend_factor(p.src_rgb);
   f.blend.dst_rgb = blend_factor(p.dst_rgb);

@@ -1,4 +1,4 @@
-// Texture objects, their parameters and the texture environment (3.7.4, 3.7.11, 3.7.12).
+// Texture objects, their parameters and the texture environment (3.7.5, 3.7.11, 3.7.12).
 // SPDX-License-Identifier: MIT
 #include "api/exec.h"
 

@@ -248,10 +248,10 @@ void get_material(Context& c, GLenum, GLenum pname, const Out& out) {
   const LightingState& l = c.state.lighting;
   switch (pname) {
     case GL_AMBIENT:
-      put_vec4(out, l.colour_material ? c.state.current.colour : l.ambient);
+      put_vec4(out, l.ambient);
       break;
     case GL_DIFFUSE:
-      put_vec4(out, l.colour_material ? c.state.current.colour : l.diffuse);
+      put_vec4(out, l.diffuse);
       break;
     case GL_SPECULAR:
       put_vec4(out, l.specular);
