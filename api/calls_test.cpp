@@ -25,21 +25,6 @@ TEST_F(Calls, ViewportAndScissorStartAsTheSurface) {
   EXPECT_EQ(box[3], kSize);
 }
 
-TEST_F(Calls, QueriesConvert) {
-  GLint colour[4];
-  glGetIntegerv(GL_CURRENT_COLOR, colour);
-  EXPECT_EQ(colour[0], INT32_MAX);
-  GLfixed width;
-  glLineWidthx(0x28000);
-  glGetFixedv(GL_LINE_WIDTH, &width);
-  EXPECT_EQ(width, 0x28000);
-  GLboolean dither = 0;
-  glGetBooleanv(GL_DITHER, &dither);
-  EXPECT_EQ(dither, GL_TRUE);
-  glGetIntegerv(0, colour);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
-}
-
 TEST_F(Calls, ClearRespectsScissorAndMask) {
   glClearColor(1, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -94,12 +79,6 @@ TEST(WithoutContext, CallsDoNothing) {
   glClear(GL_COLOR_BUFFER_BIT);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   EXPECT_EQ(glGetString(GL_VENDOR), nullptr);
-}
-
-TEST_F(Calls, WithoutFramebufferDrawingIsAnError) {
-  make_current(context_, {}, {});
-  draw_quad();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_FRAMEBUFFER_OPERATION_OES));
 }
 
 }  // namespace
