@@ -6,10 +6,11 @@
 //
 // Contexts of a share group may be current to different threads at once. The rule: whoever looks at
 // the names, or at a member of an object, holds the group's mutex. Entry points take it by the
-// group of the call in gles1.def: `buffer`, `texture` and `draw` lock, all others do not
-// and so must not follow a BufferPtr or TexturePtr further than to its constant name. Frames are
-// executed without it, because what they read is not written before they are finished
-// (frame_uses.h).
+// group of the call in gles1.def: `texture`, `buffer` and `draw` lock, all others do not and so
+// must not follow a BufferPtr or TexturePtr further than to its constant name. Executing a frame
+// needs no lock, because what it reads is not written before it is finished (frame_uses.h); only
+// calls that hold it anyway and must see pixels, or whose frame has grown too large, execute with
+// it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
