@@ -1,6 +1,7 @@
 // The initial values of tables 6.3 to 6.19 and the constants of 6.20 to 6.23, written down once
 // more from the specification, for tests: those of queries hold glGet* against them, those of
-// errors hold the state after a refused call against them. SPDX-License-Identifier: MIT
+// errors hold the state after a refused call against them.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <GLES/gl.h>

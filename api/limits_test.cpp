@@ -1,5 +1,6 @@
 // Limits that applications ask for, textures up to them, sizes of any number (OES_texture_npot),
-// and what happens when memory does not suffice (2.5). SPDX-License-Identifier: MIT
+// and what happens when memory does not suffice (2.5).
+// SPDX-License-Identifier: MIT
 #include <sys/resource.h>
 
 #include <cstdio>

@@ -1,5 +1,6 @@
 // Share groups: what one context does to textures and buffers, seen by another, on one thread and
-// on several at once (2.9, 3.7.11). SPDX-License-Identifier: MIT
+// on several at once (2.9, 3.7.11).
+// SPDX-License-Identifier: MIT
 #include <atomic>
 #include <thread>
 
