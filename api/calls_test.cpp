@@ -1,49 +1,11 @@
 // The C API on a small surface: errors, state, and pixels that depend on state being derived again.
 // SPDX-License-Identifier: MIT
-#define GL_GLEXT_PROTOTYPES 1
-#include <GLES/gl.h>
-#include <GLES/glext.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstring>
-#include <vector>
-
-#include "api/context.h"
+#include "api/call_fixture.h"
 
 namespace clearpipe::api {
 namespace {
 
-constexpr int kSize = 16;
-
-class Calls : public testing::Test {
- protected:
-  void SetUp() override {
-    target_.colour = pipeline::make_colour_buffer(kSize, kSize, true);
-    target_.depth_stencil = pipeline::make_depth_stencil_buffer(kSize, kSize, true, true);
-    target_.width = target_.height = kSize;
-    context_ = create_context(nullptr);
-    ASSERT_NE(context_, nullptr);
-    ASSERT_TRUE(make_current(context_, target_, target_));
-  }
-  void TearDown() override {
-    make_current(nullptr, {}, {});
-    destroy_context(context_);
-  }
-  static uint32_t pixel(int x, int y) {
-    uint32_t value = 0;
-    glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &value);
-    return value;
-  }
-  static void draw_quad() {
-    static const float kQuad[] = {-1, -1, 1, -1, -1, 1, 1, 1};
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(2, GL_FLOAT, 0, kQuad);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
-  pipeline::Target target_;
-  Context* context_ = nullptr;
-};
+using Calls = CallTest;
 
 TEST_F(Calls, TheFirstErrorSticks) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -61,21 +23,6 @@ TEST_F(Calls, ViewportAndScissorStartAsTheSurface) {
   EXPECT_EQ(box[2], kSize);
   glGetIntegerv(GL_SCISSOR_BOX, box);
   EXPECT_EQ(box[3], kSize);
-}
-
-TEST_F(Calls, QueriesConvert) {
-  GLint colour[4];
-  glGetIntegerv(GL_CURRENT_COLOR, colour);
-  EXPECT_EQ(colour[0], INT32_MAX);
-  GLfixed width;
-  glLineWidthx(0x28000);
-  glGetFixedv(GL_LINE_WIDTH, &width);
-  EXPECT_EQ(width, 0x28000);
-  GLboolean dither = 0;
-  glGetBooleanv(GL_DITHER, &dither);
-  EXPECT_EQ(dither, GL_TRUE);
-  glGetIntegerv(0, colour);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
 }
 
 TEST_F(Calls, ClearRespectsScissorAndMask) {
@@ -104,29 +51,12 @@ TEST_F(Calls, DrawsWithTheCurrentColour) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST_F(Calls, TextureReplacedBetweenDrawsKeepsEachDrawsTexels) {
-  const uint32_t red = 0xff0000ffu, blue = 0xffff0000u;
-  GLuint name;
-  glGenTextures(1, &name);
-  EXPECT_FALSE(glIsTexture(name));
-  glBindTexture(GL_TEXTURE_2D, name);
-  EXPECT_TRUE(glIsTexture(name));
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &red);
-  glTexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-  glEnable(GL_TEXTURE_2D);
-  glViewport(0, 0, 8, kSize);
-  draw_quad();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &blue);
-  glViewport(8, 0, 8, kSize);
-  draw_quad();
-  EXPECT_EQ(pixel(4, 8), red);
-  EXPECT_EQ(pixel(12, 8), blue);
-  // An incomplete texture disables the unit.
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+TEST_F(Calls, AnIncompleteTextureDisablesItsUnit) {
+  one_colour_texture(kRed);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   draw_quad();
-  EXPECT_EQ(pixel(12, 8), 0xffffffffu);
+  EXPECT_EQ(pixel(12, 8), kWhite);
 }
 
 TEST_F(Calls, ElementsBeyondTheirBufferAreRefused) {
@@ -145,31 +75,10 @@ TEST_F(Calls, ElementsBeyondTheirBufferAreRefused) {
   EXPECT_EQ(pixel(8, 8), 0xffffffffu);
 }
 
-TEST_F(Calls, SharedTexturesOutliveTheirNames) {
-  GLuint name;
-  glGenTextures(1, &name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  Context* other = create_context(context_);
-  make_current(other, target_, target_);
-  EXPECT_TRUE(glIsTexture(name));
-  glDeleteTextures(1, &name);
-  make_current(context_, target_, target_);
-  GLint bound = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-  EXPECT_EQ(static_cast<GLuint>(bound), name);
-  destroy_context(other);
-}
-
 TEST(WithoutContext, CallsDoNothing) {
   glClear(GL_COLOR_BUFFER_BIT);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   EXPECT_EQ(glGetString(GL_VENDOR), nullptr);
-}
-
-TEST_F(Calls, WithoutFramebufferDrawingIsAnError) {
-  make_current(context_, {}, {});
-  draw_quad();
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_FRAMEBUFFER_OPERATION_OES));
 }
 
 }  // namespace

@@ -34,7 +34,9 @@ void destroy_context(Context* context) noexcept {
   if (!context) return;
   finish(context);
   if (current == context) current = nullptr;
+  const FrameClock clock = context->clock;
   delete context;
+  clock->fetch_add(1, std::memory_order_release);  // whatever became of its last frame
 }
 
 bool make_current(Context* context, const pipeline::Target& draw,
@@ -55,7 +57,7 @@ bool make_current(Context* context, const pipeline::Target& draw,
 
 Context* current_context() noexcept { return current; }
 
-void finish(Context* context) noexcept try { context->frame.finish(); } catch (...) {
+void finish(Context* context) noexcept try { context->finish_frame(); } catch (...) {
   context->set_error(GL_OUT_OF_MEMORY);
 }
 

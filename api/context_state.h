@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -16,7 +17,7 @@ struct Context {
   State state;
   GLenum error = GL_NO_ERROR;
   uint32_t dirty = kDirtyAll;
-  TexturePtr default_texture = std::make_shared<TextureObject>();
+  TexturePtr default_texture = std::make_shared<TextureObject>(0);
 
   pipeline::Target draw, read;
   bool was_current = false;
@@ -24,6 +25,8 @@ struct Context {
   pipeline::VertexState vertex_state;
   pipeline::RasterState raster_state;
   pipeline::FragmentState fragment_state;
+  std::array<uint64_t, kTextureUnits> texture_version{};  // derived from, per unit
+  FrameClock clock = std::make_shared<std::atomic<uint64_t>>(0);
   std::string renderer;
 
   TextureUnitState& active_unit() {
@@ -31,6 +34,11 @@ struct Context {
   }
   const TextureUnitState& active_unit() const {
     return state.texture.unit[static_cast<size_t>(state.texture.active)];
+  }
+  // Executes the frame. The only way to do it from api/: the clock goes on only when it succeeded.
+  void finish_frame() {
+    frame.finish();
+    clock->fetch_add(1, std::memory_order_release);
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(GLenum value) {
@@ -43,10 +51,14 @@ void derive_vertex(Context& context);
 void derive_raster(Context& context);
 void derive_fragment(Context& context);
 
+// Whether data of so many bytes may be written in place; else it must be replaced by a copy. A
+// frame of this context that reads it is finished where copying would cost more.
+bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes);
+
 MatrixStack& current_stack(Context& context);
 const MatrixStack& current_stack(const Context& context);
 
-// The boolean a capability enables (2.4 and each section), with what it makes dirty; null value if
+// The boolean a capability enables (each in its section), with what it makes dirty; null value if
 // the enumerant is none.
 struct Capability {
   bool* value = nullptr;

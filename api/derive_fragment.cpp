@@ -2,6 +2,7 @@
 // per-fragment operations (3.7, 3.8, 4.1).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 
 #include "api/context_state.h"
 
@@ -116,6 +117,32 @@ Combiner derive_combine(const TextureUnitState& s, size_t unit) {
   return c;
 }
 
+int argument_count(Combine function) {
+  return function == Combine::kReplace ? 1 : function == Combine::kInterpolate ? 3 : 2;
+}
+
+// Whether every unit whose texture the combiner uses samples one; else it is as if texture blending
+// were disabled for the combiner's unit (OES_texture_env_crossbar).
+bool has_its_textures(const Combiner& combiner,
+                      const std::array<pipeline::TextureUnit, kTextureUnits>& units) {
+  const auto has = [&units](const std::array<CombineArgument, 3>& arguments, int count) {
+    return std::all_of(arguments.begin(), arguments.begin() + count, [&](CombineArgument a) {
+      const size_t unit = static_cast<size_t>(a.source);
+      return unit >= kTextureUnits || units[unit].enabled;
+    });
+  };
+  return has(combiner.rgb_argument, argument_count(combiner.rgb)) &&
+         (combiner.rgb == Combine::kDot3Rgba ||
+          has(combiner.alpha_argument, argument_count(combiner.alpha)));
+}
+
+Combiner previous_colour() {
+  Combiner c;
+  c.rgb_argument.fill({CombineSource::kPrevious, CombineOperand::kColour});
+  c.alpha_argument.fill({CombineSource::kPrevious, CombineOperand::kAlpha});
+  return c;
+}
+
 // The environments of tables 3.15 and 3.16. A component the texture's base format lacks leaves the
 // previous value, except for BLEND and ADD of alpha formats, which the tables spell out.
 Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
@@ -127,9 +154,7 @@ Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
   const bool has_colour = format != GL_ALPHA;
   const bool has_alpha = format == GL_ALPHA || format == GL_LUMINANCE_ALPHA || format == GL_RGBA;
 
-  Combiner c;
-  c.rgb_argument.fill(previous);
-  c.alpha_argument.fill(previous_alpha);
+  Combiner c = previous_colour();
   if (mode == GL_DECAL) {
     // Cp (1 - At) + Ct At; the alpha is the previous one. Without alpha, Ct. Undefined for others.
     if (format == GL_RGBA) {
@@ -242,7 +267,7 @@ void derive_pixel(const Context& context, pipeline::FragmentState& f) {
   f.depth_test = p.depth_test && planes && planes->has_depth;
   f.depth_write = fb.depth_mask;
   f.depth_func = compare(p.depth_func);
-  // Blending is off while the logical operation is on (4.1.8).
+  // Blending is off while the logical operation is on (4.1.9).
   f.blend.enabled = p.blend && !p.logic_op_enabled;
   f.blend.src_rgb = blend_factor(p.src_rgb);
   f.blend.dst_rgb = blend_factor(p.dst_rgb);
@@ -267,15 +292,19 @@ void derive_fragment(Context& context) {
     const TextureUnitState& from = s.texture.unit[u];
     pipeline::TextureUnit& unit = f.unit[u];
     unit.enabled = from.enabled && is_complete(*from.texture);
-    if (!unit.enabled) {
-      if (unit.image) unit = {};
-      continue;
-    }
+    context.texture_version[u] = from.texture->version;
+    if (!unit.enabled && unit.image) unit = {};
+  }
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& from = s.texture.unit[u];
+    pipeline::TextureUnit& unit = f.unit[u];
+    if (!unit.enabled) continue;
     unit.image = from.texture->image;
     unit.sampler = derive_sampler(*from.texture);
     unit.combiner = from.env_mode == GL_COMBINE
                         ? derive_combine(from, u)
                         : derive_classic(from.env_mode, from.texture->level[0].format, u);
+    if (!has_its_textures(unit.combiner, f.unit)) unit.combiner = previous_colour();
     unit.constant = from.env_colour;
   }
   f.fog = !s.fog.enabled            ? pipeline::FogMode::kNone

@@ -81,28 +81,41 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   return true;
 }
 
-// Textures may have been changed through another context: what a unit samples is compared.
-void notice_shared_textures(Context& c) {
+// A bound texture may have been changed here or through another context.
+void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
     const TextureUnitState& unit = c.state.texture.unit[u];
-    if (unit.enabled && c.fragment_state.unit[u].image != unit.texture->image) {
-      c.dirty |= kDirtyTexture;
-    }
+    if (unit.enabled && c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
   }
 }
 
 void update_state(Context& c) {
-  notice_shared_textures(c);
+  notice_changed_textures(c);
   if (c.dirty & kDirtyVertex) derive_vertex(c);
   if (c.dirty & kDirtyRaster) derive_raster(c);
   if (c.dirty & kDirtyFragment) derive_fragment(c);
   c.dirty = 0;
 }
 
+// What the draw reads when the frame is executed.
+void note_uses(Context& c, const pipeline::DrawCommand& command) {
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
+  }
+  const ArraysState& a = c.state.arrays;
+  auto note = [&c](const ArrayState& array) {
+    if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
+  };
+  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) note(*array);
+  for (const ArrayState& array : a.tex_coord) note(array);
+  if (command.index_buffer) a.element_array_buffer->uses.note(c.clock);
+}
+
 void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   static_assert(GL_POINTS == 0 && GL_TRIANGLE_FAN == 6);
   command.primitive = static_cast<pipeline::Primitive>(mode);
   if (!bind_arrays(c, command)) return;
+  note_uses(c, command);
   if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
 }
 
@@ -170,7 +183,7 @@ void clear(Context& c, GLbitfield mask) {
 
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
                  void* pixels) {
-  c.frame.finish();
+  c.finish_frame();
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t row_bytes =

@@ -21,10 +21,21 @@ namespace {
 
 constexpr float unorm(GLubyte value) { return static_cast<float>(value) / 255.0f; }
 
-// Groups whose calls use objects that other contexts may share.
-constexpr bool uses_objects(std::string_view group) {
-  return group == "texture" || group == "buffer" || group == "draw" || group == "query" ||
-         group == "array";
+// The groups of gles1.def, and whether their calls look into shared objects (objects.h).
+struct Group {
+  std::string_view name;
+  bool locks;
+};
+constexpr Group kGroups[] = {
+    {"texture", true},  {"buffer", true},    {"draw", true},    {"array", false},
+    {"current", false}, {"fragment", false}, {"frame", false},  {"light", false},
+    {"matrix", false},  {"query", false},    {"raster", false}, {"state", false},
+};
+consteval bool locks(std::string_view group) {
+  for (const Group& g : kGroups) {
+    if (g.name == group) return g.locks;
+  }
+  throw "a group that is not in the list";
 }
 
 template <typename Type>
@@ -32,13 +43,13 @@ Type nothing() {
   return Type();
 }
 
-template <typename Return, bool kUsesObjects, typename Body>
+template <typename Return, bool kLocks, typename Body>
 Return enter(const Body& body) noexcept {
   Context* context = current_context();
   if (!context) return Return();
   try {
-    if constexpr (kUsesObjects) {
-      const std::lock_guard<std::recursive_mutex> lock(context->share->mutex);
+    if constexpr (kLocks) {
+      const std::lock_guard<std::mutex> lock(context->share->mutex);
       return body(*context);
     } else {
       return body(*context);
@@ -54,7 +65,7 @@ Return enter(const Body& body) noexcept {
 #define AFTER_CONTEXT(...) __VA_OPT__(, ) __VA_ARGS__
 #define CALL(type, name, parameters, arguments, validator, executor, group, stages)        \
   extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
-    return enter<type, uses_objects(#group)>([&](Context& context) -> type {               \
+    return enter<type, locks(#group)>([&](Context& context) -> type {                      \
       const GLenum error = validate::validator(context AFTER_CONTEXT arguments);           \
       if (error != GL_NO_ERROR) {                                                          \
         context.set_error(error);                                                          \

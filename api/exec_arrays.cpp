@@ -78,36 +78,30 @@ void gen_buffers(Context& c, GLsizei n, GLuint* names) {
 void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
   ArraysState& a = c.state.arrays;
   for (GLsizei i = 0; i < n; ++i) {
-    if (names[i] == 0) continue;
-    auto unbind = [name = names[i]](BufferPtr& buffer) {
-      if (buffer && buffer->name == name) buffer = nullptr;
-    };
-    unbind(a.array_buffer);
-    unbind(a.element_array_buffer);
-    // Arrays that lie in the buffer become arrays at address zero: nothing is drawn from them.
-    for (ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) {
-      if (array->buffer && array->buffer->name == names[i]) {
-        array->buffer = nullptr;
-        array->pointer = nullptr;
-      }
-    }
-    for (ArrayState& array : a.tex_coord) {
-      if (array.buffer && array.buffer->name == names[i]) {
-        array.buffer = nullptr;
-        array.pointer = nullptr;
-      }
-    }
+    const BufferPtr buffer = c.share->buffers.find(names[i]);
     c.share->buffers.erase(names[i]);
+    if (!buffer) continue;
+    if (a.array_buffer == buffer) a.array_buffer = nullptr;
+    if (a.element_array_buffer == buffer) a.element_array_buffer = nullptr;
+    // Arrays that lie in the buffer become arrays at address zero: nothing is drawn from them.
+    auto unbind = [&buffer](ArrayState& array) {
+      if (array.buffer != buffer) return;
+      array.buffer = nullptr;
+      array.pointer = nullptr;
+    };
+    for (ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) unbind(*array);
+    for (ArrayState& array : a.tex_coord) unbind(array);
   }
 }
 
-GLboolean is_buffer(Context& c, GLuint name) { return c.share->buffers.is_object(name); }
+GLboolean is_buffer(Context& c, GLuint name) { return c.share->buffers.find(name) != nullptr; }
 
 void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   auto store = std::make_shared<pipeline::BufferData>(static_cast<size_t>(size));
   if (data && size != 0) std::memcpy(store->data(), data, static_cast<size_t>(size));
   BufferObject& buffer = *binding(c, target);
   buffer.data = std::move(store);
+  buffer.uses.clear();
   buffer.usage = usage;
 }
 
@@ -115,8 +109,9 @@ void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size
                      const void* data) {
   BufferObject& buffer = *binding(c, target);
   if (size == 0 || !data) return;
-  if (buffer.data.use_count() > 1) {
+  if (!may_write_in_place(c, buffer.uses, buffer.data->size())) {
     buffer.data = std::make_shared<pipeline::BufferData>(*buffer.data);
+    buffer.uses.clear();
   }
   std::memcpy(buffer.data->data() + offset, data, static_cast<size_t>(size));
 }

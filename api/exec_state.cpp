@@ -67,13 +67,24 @@ Capability capability(Context& c, GLenum cap) {
 
 namespace clearpipe::api::exec {
 
+namespace {
+
+// While COLOR_MATERIAL is enabled the current colour is written to the material, and stays there
+// (2.12.3). Draws need not know: they take the colours of their vertices.
+void track_colour(Context& c) {
+  LightingState& l = c.state.lighting;
+  if (l.colour_material) l.ambient = l.diffuse = c.state.current.colour;
+}
+
+}  // namespace
+
 GLenum get_error(Context& c) {
   const GLenum error = c.error;
   c.error = GL_NO_ERROR;
   return error;
 }
 
-void finish_all(Context& c) { c.frame.finish(); }
+void finish_all(Context& c) { c.finish_frame(); }
 
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;
@@ -100,11 +111,13 @@ void enable(Context& c, GLenum cap, bool value) {
   const Capability found = capability(c, cap);
   if (*found.value == value) return;
   *found.value = value;
+  if (cap == GL_COLOR_MATERIAL) track_colour(c);
   c.dirty |= found.dirty;
 }
 
 void color(Context& c, float r, float g, float b, float a) {
   c.state.current.colour = {r, g, b, a};
+  track_colour(c);
 }
 
 void normal(Context& c, float x, float y, float z) { c.state.current.normal = {x, y, z, 0}; }

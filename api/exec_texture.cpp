@@ -1,4 +1,4 @@
-// Texture objects, their parameters and the texture environment (3.7.4, 3.7.11, 3.7.12).
+// Texture objects, their parameters and the texture environment (3.7.5, 3.7.11, 3.7.12).
 // SPDX-License-Identifier: MIT
 #include "api/exec.h"
 
@@ -20,15 +20,16 @@ void gen_textures(Context& c, GLsizei n, GLuint* names) {
 void delete_textures(Context& c, GLsizei n, const GLuint* names) {
   for (GLsizei i = 0; i < n; ++i) {
     if (names[i] == 0) continue;
+    const TexturePtr texture = c.share->textures.find(names[i]);
     for (TextureUnitState& unit : c.state.texture.unit) {
-      if (unit.texture->name == names[i]) unit.texture = c.default_texture;
+      if (unit.texture == texture) unit.texture = c.default_texture;
     }
     c.share->textures.erase(names[i]);
   }
   c.dirty |= kDirtyTexture;
 }
 
-GLboolean is_texture(Context& c, GLuint name) { return c.share->textures.is_object(name); }
+GLboolean is_texture(Context& c, GLuint name) { return c.share->textures.find(name) != nullptr; }
 
 void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
   TextureObject& texture = *c.active_unit().texture;
@@ -49,7 +50,7 @@ void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
       texture.generate_mipmap = p.boolean();
       break;
   }
-  c.dirty |= kDirtyTexture;
+  ++texture.version;
 }
 
 void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {

@@ -161,15 +161,15 @@ void light(Context& c, GLenum name, GLenum pname, const Params& p) {
 void material(Context& c, GLenum, GLenum pname, const Params& p) {
   LightingState& l = c.state.lighting;
   switch (pname) {
-    // While COLOR_MATERIAL is enabled, ambient and diffuse follow the current colour (2.12.3).
+    // While COLOR_MATERIAL is enabled these two follow the current colour alone (2.12.3).
     case GL_AMBIENT:
-      l.ambient = read_vec4(p);
+      if (!l.colour_material) l.ambient = read_vec4(p);
       break;
     case GL_DIFFUSE:
-      l.diffuse = read_vec4(p);
+      if (!l.colour_material) l.diffuse = read_vec4(p);
       break;
     case GL_AMBIENT_AND_DIFFUSE:
-      l.ambient = l.diffuse = read_vec4(p);
+      if (!l.colour_material) l.ambient = l.diffuse = read_vec4(p);
       break;
     case GL_SPECULAR:
       l.specular = read_vec4(p);

@@ -1,10 +1,17 @@
-// Textures as wholes: completeness (3.7.10) and copy on write.
+// Textures as wholes: completeness (3.7.9); and when data may be written in place.
 // SPDX-License-Identifier: MIT
 #include "api/objects.h"
 
 #include <algorithm>
 
+#include "api/context_state.h"
+
 namespace clearpipe::api {
+
+namespace {
+// A copy of so many bytes costs less than cutting a frame in two.
+constexpr size_t kCopyLimit = 256 * 1024;
+}  // namespace
 
 bool is_mipmap_filter(GLenum min_filter) {
   return min_filter != GL_NEAREST && min_filter != GL_LINEAR;
@@ -20,19 +27,18 @@ bool is_complete(const TextureObject& texture) {
     height = std::max(1, height / 2);
     if (i >= texture.level.size()) return false;
     const TextureLevel& level = texture.level[i];
-    if (level.width != width || level.height != height || level.format != base.format ||
-        level.type != base.type) {
+    if (level.width != width || level.height != height || level.internal != base.internal) {
       return false;
     }
   }
   return true;
 }
 
-pipeline::Image& writable_image(TextureObject& texture) {
-  if (texture.image.use_count() > 1) {
-    texture.image = std::make_shared<pipeline::Image>(*texture.image);
-  }
-  return *texture.image;
+bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes) {
+  if (!uses.pending()) return true;
+  if (bytes <= kCopyLimit || uses.pending_elsewhere(context.clock)) return false;
+  context.finish_frame();
+  return true;
 }
 
 }  // namespace clearpipe::api

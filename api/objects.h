@@ -1,8 +1,16 @@
 // The objects contexts share: buffer objects (2.9) and textures (3.7), under their names.
 //
 // A share group owns the names; a context that has an object bound also holds the object, so an
-// object deleted elsewhere lives on until it is unbound. A buffer's data store and a texture's
-// image are replaced, never changed, while a frame holds them.
+// object deleted elsewhere lives on until it is unbound. Deleting a name unbinds the object in the
+// context that deletes it only (2.9, 3.7.11).
+//
+// Contexts of a share group may be current to different threads at once. The rule: whoever looks at
+// the names, or at a member of an object, holds the group's mutex. Entry points take it by the
+// group of the call in gles1.def: `texture`, `buffer` and `draw` lock, all others do not and so
+// must not follow a BufferPtr or TexturePtr further than to its constant name. Executing a frame
+// needs no lock, because what it reads is not written before it is finished (frame_uses.h); only
+// calls that hold it anyway and must see pixels, or whose frame has grown too large, execute with
+// it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,29 +21,36 @@
 #include <memory>
 #include <mutex>
 
+#include "api/frame_uses.h"
 #include "api/limits.h"
 #include "pipeline/command.h"
 #include "pipeline/image.h"
 
 namespace clearpipe::api {
 
-// Table 6.8.
+// Table 6.6.
 struct BufferObject {
-  GLuint name = 0;
+  explicit BufferObject(GLuint n) : name(n) {}
+  const GLuint name;
   GLenum usage = GL_STATIC_DRAW;
   std::shared_ptr<pipeline::BufferData> data = std::make_shared<pipeline::BufferData>();
+  FrameUses uses;  // of data
 };
 using BufferPtr = std::shared_ptr<BufferObject>;
 
 struct TextureLevel {
   int width = 0, height = 0;
-  GLenum format = 0;  // base internal format: ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA
-  GLenum type = 0;    // as specified: levels must agree (3.7.10)
+  GLenum internal = 0;  // as specified, a palette format too: levels must agree (3.7.9)
+  GLenum format = 0;    // its base format: ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA
 };
 
-// Tables 6.13 and 6.14.
+// Table 6.14.
 struct TextureObject {
-  GLuint name = 0;
+  explicit TextureObject(GLuint n) : name(n) {}
+  const GLuint name;
+  // Grows with every change but that of texels alone. Contexts that have the texture bound compare
+  // it with what they derived from.
+  uint64_t version = 1;
   GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR;
   GLenum mag_filter = GL_LINEAR;
   GLenum wrap_s = GL_REPEAT;
@@ -43,6 +58,7 @@ struct TextureObject {
   bool generate_mipmap = false;
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
+  FrameUses uses;  // of image
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
 
@@ -60,14 +76,14 @@ class NameTable {
   std::shared_ptr<Object> bind(GLuint name) {
     std::shared_ptr<Object>& object = objects_[name];
     if (!object) {
-      object = std::make_shared<Object>();
-      object->name = name;
+      object = std::make_shared<Object>(name);
     }
     return object;
   }
-  bool is_object(GLuint name) const {
+  // Null: the name has no object.
+  std::shared_ptr<Object> find(GLuint name) const {
     const auto found = objects_.find(name);
-    return found != objects_.end() && found->second;
+    return found != objects_.end() ? found->second : nullptr;
   }
   void erase(GLuint name) { objects_.erase(name); }
 
@@ -77,17 +93,13 @@ class NameTable {
 };
 
 struct ShareGroup {
-  // Recursive: a call holds it while it uses objects, and may use several.
-  std::recursive_mutex mutex;
+  std::mutex mutex;
   NameTable<BufferObject> buffers;
   NameTable<TextureObject> textures;
 };
 
-// Whether the texture is complete (3.7.10): an incomplete one disables its unit.
+// Whether the texture is complete (3.7.9): an incomplete one disables its unit.
 bool is_complete(const TextureObject& texture);
 bool is_mipmap_filter(GLenum min_filter);
-
-// The image to write to: the texture's own, or a copy when somebody else still holds it.
-pipeline::Image& writable_image(TextureObject& texture);
 
 }  // namespace clearpipe::api

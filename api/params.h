@@ -80,7 +80,8 @@ class Out {
         break;
     }
   }
-  // Colours, normals and depths map linearly to the whole integer range (6.1.2).
+  // Colours, normals, depth ranges and the depth clear value map linearly to the whole integer
+  // range (6.1.2); the alpha reference is none of them.
   void colour(int i, float value) const {
     if (type_ == Type::kInteger) {
       int_at(i) = saturate_int((4294967295.0 * static_cast<double>(value) - 1.0) / 2.0);

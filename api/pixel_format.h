@@ -1,4 +1,4 @@
-// The pixel formats of table 3.4 and the compressed palettes of 3.7.1: sizes and conversion to the
+// The pixel formats of table 3.4 and the compressed palettes of 3.7.4: sizes and conversion to the
 // RGBA8 texels images are made of.
 // SPDX-License-Identifier: MIT
 #pragma once

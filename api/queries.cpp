@@ -174,7 +174,8 @@ const GLubyte* get_string(Context& c, GLenum name) {
           "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
           "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
           "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
-          "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_mirrored_repeat";
+          "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
+          "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";
   }
   return reinterpret_cast<const GLubyte*>(text);
 }
@@ -247,10 +248,10 @@ void get_material(Context& c, GLenum, GLenum pname, const Out& out) {
   const LightingState& l = c.state.lighting;
   switch (pname) {
     case GL_AMBIENT:
-      put_vec4(out, l.colour_material ? c.state.current.colour : l.ambient);
+      put_vec4(out, l.ambient);
       break;
     case GL_DIFFUSE:
-      put_vec4(out, l.colour_material ? c.state.current.colour : l.diffuse);
+      put_vec4(out, l.diffuse);
       break;
     case GL_SPECULAR:
       put_vec4(out, l.specular);

@@ -29,7 +29,7 @@ struct CurrentState {
   Vec4 normal{0, 0, 1, 0};
 };
 
-// Tables 6.4 to 6.7: one vertex array.
+// Tables 6.4 and 6.5: one vertex array.
 struct ArrayState {
   bool enabled = false;
   GLint size = 4;
@@ -48,7 +48,7 @@ struct ArraysState {
   BufferPtr array_buffer, element_array_buffer;
 };
 
-// Table 6.9: transformation state.
+// Table 6.7: transformation state.
 struct MatrixStack {
   explicit MatrixStack(int depth) : limit(depth), stack(1) {}
   int limit;
@@ -71,7 +71,7 @@ struct TransformState {
   std::array<Vec4, kClipPlanes> clip_plane{};  // eye space
 };
 
-// Table 6.10: colouring.
+// Table 6.8: colouring.
 struct FogState {
   Vec4 colour{0, 0, 0, 0};
   float density = 1, start = 0, end = 1;
@@ -79,7 +79,7 @@ struct FogState {
   bool enabled = false;
 };
 
-// Table 6.11: lighting.
+// Table 6.10: one light.
 struct LightState {
   Vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};
   Vec4 position{0, 0, 1, 0};         // eye space
@@ -89,6 +89,7 @@ struct LightState {
   bool enabled = false;
 };
 
+// Tables 6.8 (the shade model) and 6.9: lighting.
 struct LightingState {
   GLenum shade_model = GL_SMOOTH;
   bool enabled = false;
@@ -105,7 +106,7 @@ struct LightingState {
   }();
 };
 
-// Table 6.12: rasterization.
+// Table 6.11: rasterization.
 struct RasterizationState {
   float point_size = 1;
   bool point_smooth = false;
@@ -120,14 +121,14 @@ struct RasterizationState {
   bool offset_fill = false;
 };
 
-// Table 6.13: multisampling.
+// Table 6.12: multisampling.
 struct MultisampleState {
   bool enabled = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
   float coverage_value = 1;
   bool coverage_invert = false;
 };
 
-// Tables 6.15 and 6.16: texture environment of one unit.
+// Tables 6.13 and 6.15: binding and texture environment of one unit.
 struct TextureUnitState {
   bool enabled = false;
   TexturePtr texture;
@@ -147,7 +148,7 @@ struct TextureState {
   std::array<TextureUnitState, kTextureUnits> unit;
 };
 
-// Table 6.17: pixel operations.
+// Table 6.16: pixel operations.
 struct PixelState {
   bool scissor_test = false;
   GLint scissor[4] = {0, 0, 0, 0};
@@ -169,7 +170,7 @@ struct PixelState {
   GLenum logic_op = GL_COPY;
 };
 
-// Table 6.18: framebuffer control.
+// Table 6.17: framebuffer control.
 struct FramebufferState {
   bool colour_mask[4] = {true, true, true, true};
   bool depth_mask = true;
@@ -179,7 +180,7 @@ struct FramebufferState {
   GLint clear_stencil = 0;
 };
 
-// Tables 6.19 and 6.20: pixels and hints.
+// Tables 6.18 and 6.19: pixels and hints.
 struct MiscState {
   GLint unpack_alignment = 4, pack_alignment = 4;
   GLenum perspective_hint = GL_DONT_CARE, point_hint = GL_DONT_CARE, line_hint = GL_DONT_CARE,

@@ -1,5 +1,8 @@
-// Texture images: what an application uploads or copies becomes RGBA8 texels (3.7.1 to 3.7.3), and
-// mipmaps are made by a 2x2 box filter (3.7.11).
+// Texture images: what an application uploads or copies becomes RGBA8 texels (3.7.1 to 3.7.4), and
+// mipmaps are made by a 2x2 box filter (3.7.7).
+//
+// New levels are made whole before the texture gets them, so that a call for which memory does not
+// suffice changes nothing.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -10,16 +13,34 @@ namespace clearpipe::api::exec {
 
 namespace {
 
-// Makes an empty level; its texels start as zero.
-pipeline::ImageLevel& define_level(Context& c, TextureObject& texture, size_t level, GLenum format,
-                                   GLenum type, int width, int height) {
-  std::vector<uint32_t> texels(static_cast<size_t>(width) * static_cast<size_t>(height));
-  pipeline::Image& image = writable_image(texture);
-  if (image.levels.size() <= level) image.levels.resize(level + 1);
-  image.levels[level] = {width, height, std::move(texels)};
-  texture.level[level] = {width, height, format, type};
-  c.dirty |= kDirtyTexture;
-  return image.levels[level];
+using Levels = std::vector<pipeline::ImageLevel>;
+
+// A level with texels of zero.
+pipeline::ImageLevel make_level(int width, int height) {
+  return {width, height,
+          std::vector<uint32_t>(static_cast<size_t>(width) * static_cast<size_t>(height))};
+}
+
+// Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
+void install_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
+                    GLenum format) {
+  const size_t end = first + levels.size();
+  if (texture.uses.pending()) {
+    auto image = std::make_shared<pipeline::Image>();
+    image->levels.resize(std::max(end, texture.image->levels.size()));
+    for (size_t i = 0; i < texture.image->levels.size(); ++i) {
+      if (i < first || i >= end) image->levels[i] = texture.image->levels[i];
+    }
+    texture.image = std::move(image);
+    texture.uses.clear();
+  } else if (texture.image->levels.size() < end) {
+    texture.image->levels.resize(end);
+  }
+  for (size_t i = 0; i < levels.size(); ++i) {
+    texture.level[first + i] = {levels[i].width, levels[i].height, internal, format};
+    texture.image->levels[first + i] = std::move(levels[i]);
+  }
+  ++texture.version;
 }
 
 void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenum format,
@@ -33,46 +54,86 @@ void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenu
   }
 }
 
-uint32_t average(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+// Where a texel of a level half as large lies along one axis: between two texels, the second with
+// a weight of 0 to 256. From an even size it is the box of two; from an odd one, the centre's
+// place.
+struct Halfway {
+  int first, second;
+  uint32_t weight;
+};
+Halfway halfway(int to, int to_size, int from_size) {
+  // Twice to_size times the distance of the centre from that of the first texel.
+  const int64_t place = (2 * int64_t{to} + 1) * from_size - to_size;
+  const int64_t unit = 2 * int64_t{to_size};
+  const int first = static_cast<int>(place / unit);
+  return {first, std::min(first + 1, from_size - 1),
+          static_cast<uint32_t>((place % unit * 256 + to_size) / unit)};
+}
+
+uint32_t mix(const uint32_t (&texel)[4], uint32_t s, uint32_t t) {
   uint32_t result = 0;
   for (uint32_t shift = 0; shift < 32; shift += 8) {
-    const uint32_t sum =
-        (a >> shift & 255) + (b >> shift & 255) + (c >> shift & 255) + (d >> shift & 255);
-    result |= (sum + 2) / 4 << shift;
+    auto c = [&texel, shift](int i) { return texel[i] >> shift & 255; };
+    const uint32_t lower = c(0) * (256 - s) + c(1) * s, upper = c(2) * (256 - s) + c(3) * s;
+    result |= (lower * (256 - t) + upper * t + 32768) >> 16 << shift;
   }
   return result;
 }
 
-void generate_mipmaps(Context& c, TextureObject& texture) {
-  const TextureLevel base = texture.level[0];
-  int width = base.width, height = base.height;
-  for (size_t level = 1; (width > 1 || height > 1) && level < kTextureLevels; ++level) {
-    const int to_width = std::max(1, width / 2), to_height = std::max(1, height / 2);
-    pipeline::ImageLevel& to =
-        define_level(c, texture, level, base.format, base.type, to_width, to_height);
-    const pipeline::ImageLevel& from = texture.image->levels[level - 1];
-    const auto texel = [&from](int x, int y) {
-      return from.texels[static_cast<size_t>(y) * static_cast<size_t>(from.width) +
-                         static_cast<size_t>(x)];
-    };
-    size_t next = 0;
-    for (int y = 0; y < to_height; ++y) {
-      const int y0 = std::min(2 * y, height - 1), y1 = std::min(2 * y + 1, height - 1);
-      for (int x = 0; x < to_width; ++x) {
-        const int x0 = std::min(2 * x, width - 1), x1 = std::min(2 * x + 1, width - 1);
-        to.texels[next++] = average(texel(x0, y0), texel(x1, y0), texel(x0, y1), texel(x1, y1));
-      }
+pipeline::ImageLevel reduced(const pipeline::ImageLevel& from) {
+  pipeline::ImageLevel to = make_level(std::max(1, from.width / 2), std::max(1, from.height / 2));
+  size_t next = 0;
+  for (int y = 0; y < to.height; ++y) {
+    const Halfway t = halfway(y, to.height, from.height);
+    const uint32_t* lower = from.texels.data() + static_cast<ptrdiff_t>(t.first) * from.width;
+    const uint32_t* upper = from.texels.data() + static_cast<ptrdiff_t>(t.second) * from.width;
+    for (int x = 0; x < to.width; ++x) {
+      const Halfway s = halfway(x, to.width, from.width);
+      const uint32_t texel[4] = {lower[s.first], lower[s.second], upper[s.first], upper[s.second]};
+      to.texels[next++] = mix(texel, s.weight, t.weight);
     }
-    width = to_width;
-    height = to_height;
+  }
+  return to;
+}
+
+// Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
+void add_mipmaps(Levels& levels) {
+  if (levels[0].width == 0 || levels[0].height == 0) return;
+  while (levels.back().width > 1 || levels.back().height > 1) {
+    levels.push_back(reduced(levels.back()));
   }
 }
 
-void after_change(Context& c, TextureObject& texture, GLint level) {
-  if (level == 0 && texture.generate_mipmap && texture.level[0].width != 0) {
-    generate_mipmaps(c, texture);
+bool generates(const TextureObject& texture, GLint level) {
+  return level == 0 && texture.generate_mipmap;
+}
+
+// Replaces one level, and those that follow from it.
+void replace_level(TextureObject& texture, GLint level, pipeline::ImageLevel to, GLenum format) {
+  Levels levels;
+  levels.push_back(std::move(to));
+  if (generates(texture, level)) add_mipmaps(levels);
+  install_levels(texture, static_cast<size_t>(level), std::move(levels), format, format);
+}
+
+// Changes texels of one level, and the levels that follow from it.
+template <typename Change>
+void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
+  const size_t index = static_cast<size_t>(level);
+  if (generates(texture, level)) {
+    pipeline::ImageLevel copy = texture.image->levels[index];
+    change(copy);
+    replace_level(texture, level, std::move(copy), texture.level[index].format);
+    return;
   }
-  c.dirty |= kDirtyTexture;
+  size_t bytes = 0;
+  for (const pipeline::ImageLevel& l : texture.image->levels) bytes += 4 * l.texels.size();
+  if (!may_write_in_place(c, texture.uses, bytes)) {
+    texture.image = std::make_shared<pipeline::Image>(*texture.image);
+    texture.uses.clear();
+    ++texture.version;
+  }
+  change(texture.image->levels[index]);
 }
 
 // What of a surface's colour a base format keeps (table 3.9): luminance is the red component.
@@ -92,9 +153,8 @@ uint32_t reduce(uint32_t colour, GLenum format) {
   }
 }
 
-void copy_from_surface(Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
+void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
                        int yoffset, int x, int y, int width, int height) {
-  c.frame.finish();
   const pipeline::ColourBuffer& from = *c.read.colour;
   for (int64_t j = 0; j < height; ++j) {
     for (int64_t i = 0; i < width; ++i) {
@@ -110,55 +170,54 @@ void copy_from_surface(Context& c, pipeline::ImageLevel& to, GLenum format, int 
 
 void tex_image(Context& c, GLenum, GLint level, GLint, GLsizei width, GLsizei height, GLint,
                GLenum format, GLenum type, const void* pixels) {
-  TextureObject& texture = *c.active_unit().texture;
-  pipeline::ImageLevel& to =
-      define_level(c, texture, static_cast<size_t>(level), format, type, width, height);
+  pipeline::ImageLevel to = make_level(width, height);
   if (pixels) {
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  } else {
-    std::fill(to.texels.begin(), to.texels.end(), reduce(0, format));
+  } else if (const uint32_t nothing = reduce(0, format)) {
+    std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
-  after_change(c, texture, level);
+  replace_level(*c.active_unit().texture, level, std::move(to), format);
 }
 
 void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
                    GLenum format, GLenum type, const void* pixels) {
   if (!pixels || width == 0 || height == 0) return;
-  TextureObject& texture = *c.active_unit().texture;
-  unpack(writable_image(texture).levels[static_cast<size_t>(level)], x, y, width, height, format,
-         type, pixels, c.state.misc.unpack_alignment);
-  after_change(c, texture, level);
+  change_level(c, *c.active_unit().texture, level, [&](pipeline::ImageLevel& to) {
+    unpack(to, x, y, width, height, format, type, pixels, c.state.misc.unpack_alignment);
+  });
 }
 
 void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
-  TextureObject& texture = *c.active_unit().texture;
-  pipeline::ImageLevel& to = define_level(c, texture, static_cast<size_t>(level), internal,
-                                          GL_UNSIGNED_BYTE, width, height);
+  c.finish_frame();
+  pipeline::ImageLevel to = make_level(width, height);
+  std::fill(to.texels.begin(), to.texels.end(), reduce(0, internal));
   copy_from_surface(c, to, internal, 0, 0, x, y, width, height);
-  after_change(c, texture, level);
+  replace_level(*c.active_unit().texture, level, std::move(to), internal);
 }
 
 void copy_tex_sub_image(Context& c, GLenum, GLint level, GLint xoffset, GLint yoffset, GLint x,
                         GLint y, GLsizei width, GLsizei height) {
+  if (width == 0 || height == 0) return;
+  c.finish_frame();
   TextureObject& texture = *c.active_unit().texture;
-  const size_t index = static_cast<size_t>(level);
-  copy_from_surface(c, writable_image(texture).levels[index], texture.level[index].format, xoffset,
-                    yoffset, x, y, width, height);
-  after_change(c, texture, level);
+  const GLenum format = texture.level[static_cast<size_t>(level)].format;
+  change_level(c, texture, level, [&](pipeline::ImageLevel& to) {
+    copy_from_surface(c, to, format, xoffset, yoffset, x, y, width, height);
+  });
 }
 
+// Mipmaps are not generated from compressed images (3.7.7).
 void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsizei width,
                           GLsizei height, GLint, GLsizei, const void* data) {
-  TextureObject& texture = *c.active_unit().texture;
   const Palette palette = palette_of(internal);
   const size_t bytes = pixel_bytes(palette.format, palette.type);
   const auto* colours = static_cast<const uint8_t*>(data);
   const uint8_t* indices = colours + (bytes << palette.index_bits);
+  Levels levels;
   for (int i = 0; i <= -level; ++i) {
-    pipeline::ImageLevel& to = define_level(c, texture, static_cast<size_t>(i), palette.format,
-                                            palette.type, width == 0 ? 0 : std::max(width >> i, 1),
-                                            height == 0 ? 0 : std::max(height >> i, 1));
+    pipeline::ImageLevel to = make_level(width == 0 ? 0 : std::max(width >> i, 1),
+                                         height == 0 ? 0 : std::max(height >> i, 1));
     for (size_t k = 0; k < to.texels.size(); ++k) {
       // Two 4-bit indices in a byte: the first is in the upper half.
       const uint32_t index = palette.index_bits == 8 ? indices[k]
@@ -167,7 +226,9 @@ void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsi
       to.texels[k] = unpack_pixel(colours + bytes * index, palette.format, palette.type);
     }
     indices += (to.texels.size() * static_cast<size_t>(palette.index_bits) + 7) / 8;
+    levels.push_back(std::move(to));
   }
+  install_levels(*c.active_unit().texture, 0, std::move(levels), internal, palette.format);
 }
 
 void compressed_tex_sub_image(Context&, GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum,

@@ -13,7 +13,7 @@ bool is_stencil_op(GLenum op) {
          op == GL_INVERT || op == GL_INCR_WRAP_OES || op == GL_DECR_WRAP_OES;
 }
 
-// Tables 4.1 and 4.2: a source never uses its own colour, a destination never its own.
+// Table 4.1: a source never uses its own colour, a destination never its own.
 bool is_common_factor(GLenum factor) {
   return factor == GL_ZERO || factor == GL_ONE || factor == GL_SRC_ALPHA ||
          factor == GL_ONE_MINUS_SRC_ALPHA || factor == GL_DST_ALPHA ||

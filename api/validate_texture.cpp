@@ -11,20 +11,20 @@ namespace {
 
 GLenum enum_if(bool good) { return good ? GL_NO_ERROR : GL_INVALID_ENUM; }
 
-bool is_power_of_two(GLsizei n) { return n == 0 || (n & (n - 1)) == 0; }
-
+// Sizes need not be powers of two (OES_texture_npot).
 GLenum level_and_size(GLint level, GLsizei width, GLsizei height, GLint border) {
   if (level < 0 || level >= kTextureLevels || border != 0) return GL_INVALID_VALUE;
   const GLsizei limit = kMaxTextureSize >> level;
-  if (width < 0 || height < 0 || width > limit || height > limit) return GL_INVALID_VALUE;
-  return is_power_of_two(width) && is_power_of_two(height) ? GL_NO_ERROR : GL_INVALID_VALUE;
+  return width < 0 || height < 0 || width > limit || height > limit ? GL_INVALID_VALUE
+                                                                    : GL_NO_ERROR;
 }
 
 GLenum sub_rectangle(const Context& c, GLint level, GLint x, GLint y, GLsizei width,
                      GLsizei height) {
   if (level < 0 || level >= kTextureLevels) return GL_INVALID_VALUE;
   const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
-  if (to.format == 0) return GL_INVALID_OPERATION;
+  // Neither an absent image nor a compressed one has parts (3.7.4).
+  if (to.internal == 0 || to.internal != to.format) return GL_INVALID_OPERATION;
   const bool inside = x >= 0 && y >= 0 && width >= 0 && height >= 0 && width <= to.width &&
                       height <= to.height && x <= to.width - width && y <= to.height - height;
   return inside ? GL_NO_ERROR : GL_INVALID_VALUE;
@@ -103,7 +103,7 @@ GLenum compressed_tex_image(const Context&, GLenum target, GLint level, GLenum i
                             const void* data) {
   const Palette palette = palette_of(internal);
   if (target != GL_TEXTURE_2D || palette.index_bits == 0) return GL_INVALID_ENUM;
-  // The level is minus the number of levels beyond the base (3.7.3).
+  // The level is minus the number of levels beyond the base (3.7.4).
   if (level > 0 || level <= -kTextureLevels) return GL_INVALID_VALUE;
   if (const GLenum error = level_and_size(0, width, height, border)) return error;
   if (-level > 0 && std::max(width, height) >> -level == 0) return GL_INVALID_VALUE;
