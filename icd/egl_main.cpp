@@ -11,7 +11,11 @@ namespace clearpipe::icd {
 
 namespace {
 
+// EGL_NONE asks for a vendor's default display, as eglGetDisplay does.
 EGLDisplay platform_display(EGLenum platform, void* native_display, const EGLAttrib* attribs) {
+  if (platform == EGL_NONE) {
+    return entry::GetDisplay(reinterpret_cast<EGLNativeDisplayType>(native_display));
+  }
   return entry::GetPlatformDisplay(platform, native_display, attribs);
 }
 
@@ -34,13 +38,12 @@ void set_dispatch_index(const char*, int) {}
 
 }  // namespace clearpipe::icd
 
-extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version,
-                                                                        const __EGLapiExports*,
-                                                                        __EGLvendorInfo*,
-                                                                        __EGLapiImports* imports) {
+extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(
+    uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo*, __EGLapiImports* imports) {
   if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION) {
     return EGL_FALSE;
   }
+  clearpipe::icd::entry::set_current_api_source(exports->getCurrentApi);
   imports->getPlatformDisplay = clearpipe::icd::platform_display;
   imports->getSupportsAPI = clearpipe::icd::supports_api;
   imports->getVendorString = clearpipe::icd::vendor_string;

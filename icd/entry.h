@@ -13,6 +13,9 @@ namespace clearpipe::icd::entry {
 #include "icd/egl15.def"
 #undef CALL
 
+// Under libglvnd, which keeps the current rendering API itself: where to ask for it (3.7).
+void set_current_api_source(EGLenum (*source)());
+
 // Notes the error and gives `result` back: `return fail(EGL_BAD_DISPLAY, EGL_FALSE)`.
 template <class Result>
 Result fail(EGLint error, Result result) {

@@ -47,7 +47,8 @@ EGLint GetError() noexcept {
 EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   // An unknown native display matches nothing, which is no error (3.2).
-  return succeed<EGLDisplay>(get_display(EGL_NONE, reinterpret_cast<void*>(display_id)));
+  if (display_id != EGL_DEFAULT_DISPLAY) return succeed(EGL_NO_DISPLAY);
+  return succeed<EGLDisplay>(get_display(EGL_PLATFORM_SURFACELESS_MESA));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
 }
@@ -55,14 +56,13 @@ EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
 EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
                               const EGLAttrib* attrib_list) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (platform != EGL_PLATFORM_SURFACELESS_MESA && platform != EGL_NONE) {
+  if (platform != EGL_PLATFORM_SURFACELESS_MESA || native_display != nullptr) {
     return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
   }
-  if (native_display != nullptr) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
   if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
     return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
   }
-  return succeed<EGLDisplay>(get_display(platform, native_display));
+  return succeed<EGLDisplay>(get_display(platform));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
 }
@@ -110,8 +110,9 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
 }
 
 EGLBoolean ReleaseThread() noexcept {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
   Thread& thread = this_thread();
+  finish_current(thread);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
   release_current(thread);
   thread.api = EGL_OPENGL_ES_API;
   return succeed(EGL_TRUE);
