@@ -44,6 +44,12 @@ void* Object::next_handle() {
 Surface* Display::surface(EGLSurface handle) { return find_living(surfaces, handle); }
 Context* Display::context(EGLContext handle) { return find_living(contexts, handle); }
 
+std::shared_ptr<Sync> Display::sync(EGLSync handle) const {
+  const auto found = std::find_if(syncs.begin(), syncs.end(),
+                                  [&](const auto& sync) { return sync->handle == handle; });
+  return found == syncs.end() ? nullptr : *found;
+}
+
 void Display::sweep() {
   erase_dead(contexts);
   erase_dead(surfaces);

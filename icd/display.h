@@ -1,8 +1,8 @@
-// The objects of EGL and the rules of their lives: displays own surfaces and contexts; a destroyed
-// object lives on while it is current (3.5.5, 3.7.3). The handle of such an object is a number that
-// is never given again, so a handle kept too long cannot name a newer object; the handle of a
-// display is its address, because libglvnd must tell the displays of several vendors apart.
-// SPDX-License-Identifier: MIT
+// The objects of EGL and the rules of their lives: displays own surfaces, contexts and syncs; a
+// destroyed object lives on while it is current (3.5.5, 3.7.3). The handle of such an object is a
+// number that is never given again, so a handle kept too long cannot name a newer object; the
+// handle of a display is its address, because libglvnd must tell the displays of several vendors
+// apart. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <EGL/egl.h>
@@ -15,6 +15,7 @@
 #include "api/context.h"
 #include "icd/config.h"
 #include "icd/context_attributes.h"
+#include "icd/sync.h"
 #include "pipeline/surface.h"
 
 namespace clearpipe::icd {
@@ -55,10 +56,12 @@ struct Display {
   bool initialized = false;
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
+  std::vector<std::shared_ptr<Sync>> syncs;
 
   explicit Display(EGLenum display_platform) : platform(display_platform) {}
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
   Context* context(EGLContext handle);
+  std::shared_ptr<Sync> sync(EGLSync handle) const;
 
   // Frees what is destroyed and not current; after eglTerminate everything counts as destroyed.
   void sweep();

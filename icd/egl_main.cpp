@@ -5,6 +5,7 @@
 #include <EGL/eglext.h>
 #include <glvnd/libeglabi.h>
 
+#include "icd/dispatch.h"
 #include "icd/entry.h"
 
 namespace clearpipe::icd {
@@ -30,10 +31,6 @@ void* proc_address(const char* name) {
   return reinterpret_cast<void*>(entry::GetProcAddress(name));
 }
 
-// No EGL extension of ours adds a command, so libEGL needs no dispatch stub from us.
-void* dispatch_address(const char*) { return nullptr; }
-void set_dispatch_index(const char*, int) {}
-
 }  // namespace
 
 }  // namespace clearpipe::icd
@@ -43,6 +40,7 @@ extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(
   if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION) {
     return EGL_FALSE;
   }
+  clearpipe::icd::set_dispatch_exports(exports);
   clearpipe::icd::entry::set_current_api_source(exports->getCurrentApi);
   imports->getPlatformDisplay = clearpipe::icd::platform_display;
   imports->getSupportsAPI = clearpipe::icd::supports_api;

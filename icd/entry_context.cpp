@@ -1,4 +1,4 @@
-// EGL commands on contexts, synchronization and procedure addresses (3.7, 3.8, 3.10).
+// EGL commands on contexts, waiting and procedure addresses (3.7, 3.8, 3.11).
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <new>
@@ -208,6 +208,10 @@ __eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) no
 #define CALL(type, name, parameters, arguments) \
   if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
 #include "icd/egl15.def"
+#undef CALL
+#define CALL(type, name, parameters, arguments, vendor) \
+  if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
+#include "icd/egl_ext.def"
 #undef CALL
   return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
 }

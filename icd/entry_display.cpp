@@ -12,8 +12,10 @@ namespace {
 constexpr const char* kClientExtensions =
     "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless";
 constexpr const char* kDisplayExtensions =
-    "EGL_KHR_config_attribs EGL_KHR_create_context EGL_KHR_get_all_proc_addresses "
-    "EGL_KHR_no_config_context EGL_KHR_surfaceless_context";
+    "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
+    "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
+    "EGL_KHR_no_config_context EGL_KHR_reusable_sync EGL_KHR_surfaceless_context "
+    "EGL_KHR_wait_sync";
 
 EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
                           EGLint* num_config) {
@@ -67,6 +69,14 @@ EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
 }
 
+EGLDisplay GetPlatformDisplayEXT(EGLenum platform, void* native_display,
+                                 const EGLint* attrib_list) noexcept {
+  if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
+    return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
+  }
+  return GetPlatformDisplay(platform, native_display, nullptr);
+}
+
 EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = find_display(dpy);
@@ -83,6 +93,8 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
   for (const auto& surface : display->surfaces) surface->destroyed = true;
   for (const auto& context : display->contexts) context->destroyed = true;
+  for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
+  display->syncs.clear();
   display->sweep();
   display->initialized = false;
   return succeed(EGL_TRUE);

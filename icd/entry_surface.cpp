@@ -145,6 +145,16 @@ EGLSurface CreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void*,
   return refuse_native_surface(dpy, config);
 }
 
+EGLSurface CreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
+                                          const EGLint*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
+                                          const EGLint*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
 // Client buffers are OpenVG's images (3.5.3), and there is no OpenVG here.
 EGLSurface CreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer, EGLConfig config,
                                          const EGLint*) noexcept {

@@ -9,6 +9,9 @@ const std::vector<std::string> kEgl = {
 #define CALL(type, name, ...) "egl" #name,
 #include "icd/egl15.def"
 #undef CALL
+#define CALL(type, name, ...) "egl" #name,
+#include "icd/egl_ext.def"
+#undef CALL
 };
 const std::vector<std::string> kGl = {
 #define CALL(type, name, ...) "gl" #name,
