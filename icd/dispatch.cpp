@@ -35,31 +35,24 @@ Function fetch(Command command, __EGLvendorInfo* vendor, EGLint error) {
   return reinterpret_cast<Function>(proc);
 }
 
-template <class Function>
-Function fetch_by_display(Command command, EGLDisplay dpy) {
-  glvnd->threadInit();
-  return fetch<Function>(command, glvnd->getVendorFromDisplay(dpy), EGL_BAD_DISPLAY);
-}
-
-template <class Function>
-Function fetch_by_device(Command command, EGLDeviceEXT device) {
-  glvnd->threadInit();
-  return fetch<Function>(command, glvnd->getVendorFromDevice(device), EGL_BAD_DEVICE_EXT);
+__EGLvendorInfo* vendor_of_display(EGLDisplay dpy) { return glvnd->getVendorFromDisplay(dpy); }
+__EGLvendorInfo* vendor_of_device(EGLDeviceEXT device) {
+  return glvnd->getVendorFromDevice(device);
 }
 
 #define FIRST_ARGUMENT(first, ...) first
-#define STUB_by_display(type, name, parameters, arguments)                           \
-  type EGLAPIENTRY stub_##name parameters {                                          \
-    const auto function =                                                            \
-        fetch_by_display<decltype(&entry::name)>(k##name, FIRST_ARGUMENT arguments); \
-    return function != nullptr ? function arguments : type{};                        \
+#define STUB(type, name, parameters, arguments, vendor_of, error)                           \
+  type EGLAPIENTRY stub_##name parameters {                                                 \
+    using Result = type;                                                                    \
+    glvnd->threadInit();                                                                    \
+    const auto function =                                                                   \
+        fetch<decltype(&entry::name)>(k##name, vendor_of(FIRST_ARGUMENT arguments), error); \
+    return function != nullptr ? function arguments : Result{};                             \
   }
-#define STUB_by_device(type, name, parameters, arguments)                           \
-  type EGLAPIENTRY stub_##name parameters {                                         \
-    const auto function =                                                           \
-        fetch_by_device<decltype(&entry::name)>(k##name, FIRST_ARGUMENT arguments); \
-    return function != nullptr ? function arguments : type{};                       \
-  }
+#define STUB_by_display(type, name, parameters, arguments) \
+  STUB(type, name, parameters, arguments, vendor_of_display, EGL_BAD_DISPLAY)
+#define STUB_by_device(type, name, parameters, arguments) \
+  STUB(type, name, parameters, arguments, vendor_of_device, EGL_BAD_DEVICE_EXT)
 #define STUB_built_in(type, name, parameters, arguments) \
   constexpr std::nullptr_t stub_##name = nullptr;
 #define CALL(type, name, parameters, arguments, vendor) \

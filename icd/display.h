@@ -73,6 +73,9 @@ std::mutex& egl_mutex();
 // The display of a handle, or null.
 Display* find_display(EGLDisplay handle);
 
+// The one device (EGL_EXT_device_query).
+EGLDeviceEXT the_device();
+
 // The display of a platform, created at the first call.
 Display* get_display(EGLenum platform);
 

@@ -23,8 +23,9 @@ EGLDisplay platform_display(EGLenum platform, void* native_display, const EGLAtt
 EGLBoolean supports_api(EGLenum api) { return api == EGL_OPENGL_ES_API ? EGL_TRUE : EGL_FALSE; }
 
 const char* vendor_string(int name) {
-  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS ? "EGL_MESA_platform_surfaceless"
-                                                         : nullptr;
+  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS
+             ? "EGL_EXT_platform_device EGL_MESA_platform_surfaceless"
+             : nullptr;
 }
 
 void* proc_address(const char* name) {

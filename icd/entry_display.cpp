@@ -10,7 +10,9 @@ namespace clearpipe::icd::entry {
 namespace {
 
 constexpr const char* kClientExtensions =
-    "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless";
+    "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
+    "EGL_EXT_device_query EGL_EXT_platform_base EGL_EXT_platform_device "
+    "EGL_KHR_client_get_all_proc_addresses EGL_MESA_platform_surfaceless";
 constexpr const char* kDisplayExtensions =
     "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
     "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
@@ -58,9 +60,12 @@ EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
 EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
                               const EGLAttrib* attrib_list) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (platform != EGL_PLATFORM_SURFACELESS_MESA || native_display != nullptr) {
-    return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
-  }
+  // Either platform has one display: the default one, or that of the one device.
+  const bool ours = platform == EGL_PLATFORM_SURFACELESS_MESA
+                        ? native_display == EGL_DEFAULT_DISPLAY
+                    : platform == EGL_PLATFORM_DEVICE_EXT ? native_display == the_device()
+                                                          : false;
+  if (!ours) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
   if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
     return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
   }
