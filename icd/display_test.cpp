@@ -67,6 +67,26 @@ TEST(Display, WrongDisplays) {
                     EGL_BAD_DISPLAY);
     EXPECT_EGL_FAIL(eglCreateContext(wrong, config, EGL_NO_CONTEXT, nullptr), EGL_NO_CONTEXT,
                     EGL_BAD_DISPLAY);
+    void* const handle = random_handle();
+    for (const EGLBoolean done :
+         {eglGetConfigAttrib(wrong, handle, EGL_RED_SIZE, &value), eglDestroySurface(wrong, handle),
+          eglQuerySurface(wrong, handle, EGL_WIDTH, &value),
+          eglSurfaceAttrib(wrong, handle, EGL_MIPMAP_LEVEL, 0),
+          eglBindTexImage(wrong, handle, EGL_BACK_BUFFER),
+          eglReleaseTexImage(wrong, handle, EGL_BACK_BUFFER), eglCopyBuffers(wrong, handle, 0),
+          eglSwapBuffers(wrong, handle), eglSwapInterval(wrong, 1),
+          eglDestroyContext(wrong, handle), eglQueryContext(wrong, handle, EGL_CONFIG_ID, &value),
+          eglDestroySync(wrong, handle), eglWaitSync(wrong, handle, 0)}) {
+      EXPECT_FALSE(done);
+    }
+    EXPECT_EQ(eglGetError(), EGL_BAD_DISPLAY);
+    for (const auto call : {eglDestroySurface, eglSwapBuffers, eglDestroyContext, eglDestroySync}) {
+      EXPECT_EGL_FAIL(call(wrong, handle), EGL_FALSE, EGL_BAD_DISPLAY);
+    }
+    EXPECT_EGL_FAIL(eglCreateWindowSurface(wrong, handle, 0, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_DISPLAY);
+    EXPECT_EGL_FAIL(eglCreatePixmapSurface(wrong, handle, 0, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_DISPLAY);
     EXPECT_EGL_FAIL(eglMakeCurrent(wrong, EGL_NO_SURFACE, EGL_NO_SURFACE, random_handle()),
                     EGL_FALSE, EGL_BAD_DISPLAY);
     EXPECT_EQ(value, 77);

@@ -142,6 +142,34 @@ TEST_F(SyncTest, Fence) {
   EXPECT_EGL_OK(destroy_khr(display, fence));
 }
 
+// The work is done by the time the fence is signaled: nothing of it is left for glReadPixels. A
+// frame of blended layers takes long enough to tell, and a busy machine gets three tries.
+TEST_F(SyncTest, FenceMeansThatTheWorkIsDone) {
+  const EGLSurface surface = pbuffer(1024, 1024);
+  ASSERT_TRUE(eglMakeCurrent(display, surface, surface, context()));
+  const GLfloat corners[] = {-1, -1, 1, -1, -1, 1, 1, 1};
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(2, GL_FLOAT, 0, corners);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glColor4ub(1, 0, 0, 0);
+  bool told = false;
+  for (int round = 0; round < 3 && !told; ++round) {
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (int layer = 0; layer < 100; ++layer) glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    const auto start = Clock::now();
+    const EGLSync fence = eglCreateSync(display, EGL_SYNC_FENCE, nullptr);
+    ASSERT_EQ(eglClientWaitSync(display, fence, 0, EGL_FOREVER), EGL_CONDITION_SATISFIED);
+    const auto signaled = Clock::now();
+    uint32_t pixel = 0;
+    glReadPixels(512, 512, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    EXPECT_EQ(pixel, 100u);
+    told = (Clock::now() - signaled) * 2 < signaled - start;
+    EXPECT_EGL_OK(eglDestroySync(display, fence));
+  }
+  EXPECT_TRUE(told);
+}
+
 // Waiting without a flush, while the context stays current to the thread that made the fence.
 TEST_F(SyncTest, FenceOfAContextThatIsCurrentElsewhere) {
   std::atomic<EGLSync> fence{EGL_NO_SYNC};
