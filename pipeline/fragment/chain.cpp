@@ -68,10 +68,7 @@ void texture_environment(const StageContext& context, FragmentBatch& batch, int 
 }
 
 void fog(const StageContext& context, FragmentBatch& batch, int) {
-  const FragmentProgram& p = context.program;
-  FogConstants constants{p.fog_mode, p.fog_scale, p.fog_offset, {}};
-  std::copy_n(p.fog_colour, 3, constants.colour);
-  apply_fog(context.planes, constants, batch);
+  apply_fog(context.planes, fog_constants(context.program), batch);
 }
 
 void alpha_test(const StageContext& context, FragmentBatch& batch, int) {
