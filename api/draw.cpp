@@ -184,6 +184,7 @@ void clear(Context& c, GLbitfield mask) {
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
                  void* pixels) {
   c.finish_frame();
+  pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t row_bytes =

@@ -196,6 +196,7 @@ TEST_F(Pending, DestroyingTheContextExecutesWhatIsPending) {
   draw_quad();
   destroy_context(other);
   EXPECT_EQ(current_context(), nullptr);
+  pipeline::store_uniform_tiles(*target.colour);
   EXPECT_EQ(target.colour->pixels[0], kRed);
   glClear(GL_COLOR_BUFFER_BIT);  // without a context: nothing
 }

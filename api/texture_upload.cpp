@@ -155,6 +155,7 @@ uint32_t reduce(uint32_t colour, GLenum format) {
 
 void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
                        int yoffset, int x, int y, int width, int height) {
+  pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   for (int64_t j = 0; j < height; ++j) {
     for (int64_t i = 0; i < width; ++i) {

@@ -9,8 +9,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace clearpipe::pipeline {
+
+// Tiles that hold one value throughout, written down instead of stored: a cleared tile costs no
+// memory traffic until it is drawn to or read (merge/).
+struct UniformTiles {
+  std::vector<uint8_t> is_uniform;  // by tile, row-major; empty: every tile is stored
+  std::vector<uint32_t> value;
+};
 
 // The pixels as they are kept. Colour is always held as RGBA8; a config with fewer bits is held in
 // the same memory, with every write rounded to what its bits can say.
@@ -18,6 +26,7 @@ struct ColourBuffer {
   int width = 0, height = 0;
   std::unique_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
   bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
+  UniformTiles uniform;
 };
 
 // Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8.
@@ -25,7 +34,12 @@ struct DepthStencilBuffer {
   int width = 0, height = 0;
   bool has_depth = true, has_stencil = true;
   std::unique_ptr<uint32_t[]> values;
+  UniformTiles uniform;
 };
+
+// Stores what is only written down, so that `pixels` can be read: before any look at them from
+// outside the pipeline.
+void store_uniform_tiles(ColourBuffer& buffer);
 
 // Allocate with contents of zero (alpha 255 without alpha bits); null when memory does not suffice.
 std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha);

@@ -94,6 +94,7 @@ struct Frame::Impl {
           holder->state, target.depth_stencil && target.depth_stencil->has_depth,
           target.depth_stencil && target.depth_stencil->has_stencil);
       holder->inputs = fragment_inputs(*holder->program);
+      holder->outputs = fragment_outputs(*holder->program);
       program = std::move(holder);
     }
     if (programs.empty() || programs.back() != program) {
@@ -237,6 +238,15 @@ bool Frame::clear(const ClearCommand& command) try {
       clear.colour_mask = 0xf;
       clear.colour_value |= 0xff000000u;
     }
+  }
+  // Bits that the buffer does not have may be cleared with the others: again a plain fill.
+  if (const auto& planes = impl_->target.depth_stencil) {
+    if (clear.depth && !planes->has_stencil) {
+      clear.stencil = true;
+      clear.stencil_mask = 0xff;
+      clear.stencil_value = 0;
+    }
+    if (clear.stencil && !planes->has_depth) clear.depth = true;
   }
   if (clear.rect.x0 >= clear.rect.x1 || clear.rect.y0 >= clear.rect.y1) {
     return true;

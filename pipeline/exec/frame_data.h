@@ -28,6 +28,7 @@ struct ProgramHolder {
   FragmentState state;
   FragmentProgram* program = nullptr;
   FragmentInputs inputs;
+  FragmentOutputs outputs;
 
   ProgramHolder() = default;
   ProgramHolder(const ProgramHolder&) = delete;

@@ -45,7 +45,10 @@ struct Scene {
     ASSERT_TRUE(frame.draw(command));
   }
 
-  uint32_t pixel(int x, int y) const { return target.colour->pixels[y * kWidth + x]; }
+  uint32_t pixel(int x, int y) const {
+    store_uniform_tiles(*target.colour);
+    return target.colour->pixels[y * kWidth + x];
+  }
 };
 
 const std::vector<float> kWholeView = {-1, -1, 0, 3, -1, 0, -1, 3, 0};

@@ -41,7 +41,6 @@ HWY_EXPORT(FindFused);
 
 static FusedFunction find(FusedSampler sampler0, FusedSampler sampler1) {
   select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return HWY_DYNAMIC_DISPATCH(FindFused)(sampler0, sampler1);
 }
 

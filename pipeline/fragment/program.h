@@ -47,6 +47,13 @@ struct FragmentInputs {
 };
 FragmentInputs fragment_inputs(const FragmentProgram& program);
 
+// What the program does to the tile's planes.
+struct FragmentOutputs {
+  bool colour = false;  // writes colour
+  bool depth_stencil_read = false, depth_stencil_write = false;
+};
+FragmentOutputs fragment_outputs(const FragmentProgram& program);
+
 // Shades the pixels in `coverage`; colour and depth/stencil of `tile` are updated in place.
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
            Tile& tile);

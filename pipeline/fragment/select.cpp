@@ -140,6 +140,11 @@ void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
 FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.inputs; }
 
+FragmentOutputs fragment_outputs(const FragmentProgram& program) {
+  const bool stencil = program.stencil.enabled;
+  return {program.colour_mask != 0, program.depth_test || stencil, program.depth_write || stencil};
+}
+
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
            Tile& tile) {
   if (program.fused != nullptr) {

@@ -54,6 +54,12 @@ void fill_plane(uint32_t* plane, const Rect& part, uint32_t value, uint32_t mask
   }
 }
 
+UniformTiles no_uniform_tiles(int width, int height) {
+  const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
+  const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
+  return {std::vector<uint8_t>(columns * rows), std::vector<uint32_t>(columns * rows)};
+}
+
 }  // namespace
 
 std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha) try {
@@ -61,6 +67,7 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   buffer->width = width;
   buffer->height = height;
   buffer->has_alpha = has_alpha;
+  buffer->uniform = no_uniform_tiles(width, height);
   const size_t count = static_cast<size_t>(width) * height;
   buffer->pixels = std::make_unique<uint32_t[]>(count);
   if (!has_alpha) {
@@ -78,31 +85,80 @@ std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int hei
   buffer->height = height;
   buffer->has_depth = has_depth;
   buffer->has_stencil = has_stencil;
+  buffer->uniform = no_uniform_tiles(width, height);
   buffer->values = std::make_unique<uint32_t[]>(static_cast<size_t>(width) * height);
   return buffer;
 } catch (const std::bad_alloc&) {
   return nullptr;
 }
 
-void load_tile(const Target& target, Tile& tile, bool colour, bool depth_stencil) {
-  if (colour && target.colour) {
-    const ColourBuffer& buffer = *target.colour;
-    load_plane(buffer.pixels.get(), buffer.width, buffer.height, tile, tile.colour);
-  }
-  if (depth_stencil && target.depth_stencil) {
-    const DepthStencilBuffer& buffer = *target.depth_stencil;
-    load_plane(buffer.values.get(), buffer.width, buffer.height, tile, tile.depth_stencil);
+TilePlane::TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, int tile_index,
+                     const Tile& tile, uint32_t* out)
+    : plane_(plane),
+      width_(width),
+      height_(height),
+      uniform_(uniform != nullptr && !uniform->is_uniform.empty() ? uniform : nullptr),
+      tile_index_(static_cast<size_t>(tile_index)),
+      tile_(tile),
+      out_(out) {
+  if (uniform_ != nullptr && uniform_->is_uniform[tile_index_] != 0) {
+    state_ = State::kUniform;
+    value_ = uniform_->value[tile_index_];
   }
 }
 
-void store_tile(const Target& target, const Tile& tile, bool colour, bool depth_stencil) {
-  if (colour && target.colour) {
-    ColourBuffer& buffer = *target.colour;
-    store_plane(tile.colour, tile, buffer.width, buffer.height, buffer.pixels.get());
+void TilePlane::set_uniform(uint32_t value) {
+  state_ = State::kUniform;
+  value_ = value;
+  changed_ = true;
+}
+
+void TilePlane::load() {
+  if (state_ == State::kUniform) {
+    std::fill_n(out_, kTileWidth * kTileHeight, value_);
+  } else if (state_ == State::kStored && plane_ != nullptr) {
+    load_plane(plane_, width_, height_, tile_, out_);
   }
-  if (depth_stencil && target.depth_stencil) {
-    DepthStencilBuffer& buffer = *target.depth_stencil;
-    store_plane(tile.depth_stencil, tile, buffer.width, buffer.height, buffer.values.get());
+  state_ = State::kLoaded;
+}
+
+void TilePlane::store() {
+  if (!changed_ || plane_ == nullptr) return;
+  if (uniform_ != nullptr) {
+    uniform_->is_uniform[tile_index_] = state_ == State::kUniform;
+    if (state_ == State::kUniform) {
+      uniform_->value[tile_index_] = value_;
+      return;
+    }
+  }
+  load();
+  store_plane(out_, tile_, width_, height_, plane_);
+}
+
+TilePlanes::TilePlanes(const Target& target, Tile& tile, int tile_index)
+    : tile_(tile),
+      colour_(target.colour ? target.colour->pixels.get() : nullptr,
+              target.colour ? target.colour->width : 0, target.colour ? target.colour->height : 0,
+              target.colour ? &target.colour->uniform : nullptr, tile_index, tile, tile.colour),
+      depth_stencil_(target.depth_stencil ? target.depth_stencil->values.get() : nullptr,
+                     target.depth_stencil ? target.depth_stencil->width : 0,
+                     target.depth_stencil ? target.depth_stencil->height : 0,
+                     target.depth_stencil ? &target.depth_stencil->uniform : nullptr, tile_index,
+                     tile, tile.depth_stencil) {}
+
+void store_uniform_tiles(ColourBuffer& buffer) {
+  const int columns = (buffer.width + kTileWidth - 1) / kTileWidth;
+  for (size_t i = 0; i < buffer.uniform.is_uniform.size(); ++i) {
+    if (buffer.uniform.is_uniform[i] == 0) continue;
+    buffer.uniform.is_uniform[i] = 0;
+    const int x = static_cast<int>(i) % columns * kTileWidth;
+    const int y = static_cast<int>(i) / columns * kTileHeight;
+    const int width = std::min(buffer.width - x, kTileWidth);
+    const int end = std::min(buffer.height, y + kTileHeight);
+    for (int row = y; row < end; ++row) {
+      std::fill_n(buffer.pixels.get() + static_cast<size_t>(row) * buffer.width + x, width,
+                  buffer.uniform.value[i]);
+    }
   }
 }
 
@@ -120,18 +176,14 @@ uint32_t depth_stencil_clear_mask(const ClearCommand& clear) {
   return (clear.depth ? 0xffffff00u : 0u) | (clear.stencil ? uint32_t{clear.stencil_mask} : 0u);
 }
 
-void clear_tile(const ClearCommand& clear, Tile& tile) {
+void clear_plane(const ClearCommand& clear, const Tile& tile, uint32_t* plane, uint32_t value,
+                 uint32_t mask) {
   Rect part;
   part.x0 = std::max(clear.rect.x0 - tile.x, 0);
   part.y0 = std::max(clear.rect.y0 - tile.y, 0);
   part.x1 = std::min(clear.rect.x1 - tile.x, kTileWidth);
   part.y1 = std::min(clear.rect.y1 - tile.y, kTileHeight);
-  if (part.x0 >= part.x1) {
-    return;
-  }
-  fill_plane(tile.colour, part, clear.colour_value, colour_clear_mask(clear));
-  fill_plane(tile.depth_stencil, part, clear.depth_value << 8 | clear.stencil_value,
-             depth_stencil_clear_mask(clear));
+  if (part.x0 < part.x1) fill_plane(plane, part, value, mask);
 }
 
 }  // namespace clearpipe::pipeline
