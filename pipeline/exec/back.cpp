@@ -1,6 +1,8 @@
 // The back phase of a tile: each packet's primitives in order - coverage, planes, shading - between
 // loading the planes that are needed and merging those that changed.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
@@ -36,6 +38,12 @@ void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& p
       clear_plane(clear, tile, planes.depth_stencil().change(), value, depth_stencil);
     }
   }
+}
+
+bool is_whole(const Coverage& coverage) {
+  return coverage.first_row == 0 && coverage.last_row == kTileHeight &&
+         std::all_of(coverage.rows, coverage.rows + kTileHeight,
+                     [](uint64_t row) { return row == ~uint64_t{0}; });
 }
 
 // The last packet that leaves nothing visible of what came before it.
@@ -74,7 +82,7 @@ void run_back(const std::vector<DrawRecord>& draws,
         continue;
       }
       const DrawRecord& draw = draws[primitive.draw];
-      planes.prepare(draw.program->outputs);
+      planes.prepare(draw.program->outputs, is_whole(coverage));
       PrimitivePlanes attributes;
       make_planes(draw.setup, primitive, attributes);
       shade(*draw.program->program, attributes, coverage, tile);

@@ -36,7 +36,22 @@ class FusedLoop {
         tests_(program.depth_test || program.stencil.enabled),
         depth_{program.depth_test, program.depth_write, program.depth_func},
         unit0_(program, planes, tile, 0),
-        unit1_(program, planes, tile, 1) {}
+        unit1_(program, planes, tile, 1) {
+    opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled;
+    solid_ = kSampler0 == FusedSampler::kNone && planes.flat_colour && opaque_ &&
+             program.fog_mode == FogMode::kNone && !program.alpha_test;
+    if (planes.flat_colour) {
+      for (int c = 0; c < 4; ++c) {
+        const VecI value = to_wide_colour(TagF(), hn::Set(TagF(), planes.colour[c].value));
+        flat_.channel[c] = narrow({value, value});
+      }
+    }
+    if (solid_) {
+      Vec16 bytes[4];
+      for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), flat_.channel[c]);
+      solid_pixels_ = pack_pixels(bytes).lower;
+    }
+  }
 
   void run(const Coverage& coverage) {
     constexpr int kGroup = 2 * static_cast<int>(hn::MaxLanes(TagF()));
@@ -59,9 +74,12 @@ class FusedLoop {
   HWY_INLINE void set_row(int row) {
     const TagF d;
     const VecF y = hn::Set(d, static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
-    depth_plane_ = RowPlane(planes_.depth, y);
-    inv_w_ = RowPlane(planes_.inv_w, y);
-    for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y);
+    if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y);
+    if (solid_) return;
+    if (planes_.perspective) inv_w_ = RowPlane(planes_.inv_w, y);
+    if (!planes_.flat_colour) {
+      for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y);
+    }
     if (p_.fog_mode != FogMode::kNone) fog_ = RowPlane(planes_.fog, y);
     if constexpr (kSampler0 != FusedSampler::kNone) unit0_.set_row(row, y);
     if constexpr (kSampler1 != FusedSampler::kNone) unit1_.set_row(row, y);
@@ -80,6 +98,10 @@ class FusedLoop {
     // The alpha test comes first where there is one (4.1.4); otherwise what fails is not coloured.
     if (tests_ && !p_.alpha_test && !test_depth_stencil(x, at, live)) return;
     if (p_.colour_mask == 0 && !p_.alpha_test) return;
+    if (solid_) {
+      store_live({solid_pixels_, solid_pixels_}, live, tile_.colour + at);
+      return;
+    }
     Pair<VecF> w{};
     if (planes_.perspective) w = reciprocal(inv_w_.at(x));
     Colour16 colour = primary_colour(x, w);
@@ -114,7 +136,7 @@ class FusedLoop {
     const TagI d;
     auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + at);
     VecI packed = hn::Load(d, stored);
-    const VecI depth = to_depth_value(TagF(), depth_plane_.at(x));
+    const VecI depth = depth_.test ? to_depth_value(TagF(), depth_plane_.at(x)) : hn::Zero(d);
     const MaskI passes = p_.stencil.enabled
                              ? depth_stencil_test(d, p_.stencil, depth_, live, depth, packed)
                              : depth_stencil_test(d, StencilState(), depth_, live, depth, packed);
@@ -123,15 +145,11 @@ class FusedLoop {
   }
 
   HWY_INLINE Colour16 primary_colour(const Pair<VecF>& x, const Pair<VecF>& w) const {
+    if (planes_.flat_colour) return flat_;
     Colour16 colour;
     for (int c = 0; c < 4; ++c) {
-      if (planes_.flat_colour) {
-        const VecI value = to_wide_colour(TagF(), hn::Set(TagF(), planes_.colour[c].value));
-        colour.channel[c] = narrow({value, value});
-      } else {
-        const Pair<VecF> value = colour_[c].at(x);
-        colour.channel[c] = narrow_colour(planes_.perspective ? multiply(value, w) : value);
-      }
+      const Pair<VecF> value = colour_[c].at(x);
+      colour.channel[c] = narrow_colour(planes_.perspective ? multiply(value, w) : value);
     }
     return colour;
   }
@@ -150,12 +168,23 @@ class FusedLoop {
   HWY_INLINE void write(Vec16 bytes[4], int at, const Pair<MaskI>& live) {
     const TagU d;
     uint32_t* to = tile_.colour + at;
+    if (opaque_) {
+      store_live(pack_pixels(bytes), live, to);
+      return;
+    }
     const Pair<VecU> stored = {hn::Load(d, to), hn::Load(d, to + kLanes)};
     if (p_.blend.enabled) blend_group(stored, bytes);
     const Pair<VecU> packed = pack_pixels(bytes);
     const VecU writable = hn::Set(d, p_.colour_mask);
     store_half(packed.lower, stored.lower, writable, live.lower, to);
     store_half(packed.upper, stored.upper, writable, live.upper, to + kLanes);
+  }
+
+  static HWY_INLINE void store_live(const Pair<VecU>& pixels, const Pair<MaskI>& live,
+                                    uint32_t* to) {
+    const TagU d;
+    hn::BlendedStore(pixels.lower, hn::RebindMask(d, live.lower), d, to);
+    hn::BlendedStore(pixels.upper, hn::RebindMask(d, live.upper), d, to + kLanes);
   }
 
   static HWY_INLINE void store_half(VecU packed, VecU stored, VecU writable, MaskI live,
@@ -187,6 +216,10 @@ class FusedLoop {
   Tile& tile_;
   const bool tests_;
   const DepthState depth_;
+  bool opaque_;  // every fragment that lives replaces the whole pixel
+  bool solid_;   // and all of them by the same
+  Colour16 flat_;
+  VecU solid_pixels_;
   RowPlane depth_plane_, inv_w_, fog_, colour_[4];
   FusedUnit<kSampler0> unit0_;
   FusedUnit<kSampler1> unit1_;

@@ -49,7 +49,8 @@ FragmentInputs fragment_inputs(const FragmentProgram& program);
 
 // What the program does to the tile's planes.
 struct FragmentOutputs {
-  bool colour = false;  // writes colour
+  bool colour = false;    // writes colour
+  bool replaces = false;  // every covered pixel gets a colour that does not depend on what it had
   bool depth_stencil_read = false, depth_stencil_write = false;
 };
 FragmentOutputs fragment_outputs(const FragmentProgram& program);

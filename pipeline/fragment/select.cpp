@@ -142,7 +142,13 @@ FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.
 
 FragmentOutputs fragment_outputs(const FragmentProgram& program) {
   const bool stencil = program.stencil.enabled;
-  return {program.colour_mask != 0, program.depth_test || stencil, program.depth_write || stencil};
+  FragmentOutputs outputs;
+  outputs.colour = program.colour_mask != 0;
+  outputs.depth_stencil_read = program.depth_test || stencil;
+  outputs.depth_stencil_write = program.depth_write || stencil;
+  outputs.replaces = program.colour_mask == 0xffffffffu && !outputs.depth_stencil_read &&
+                     !program.alpha_test && !program.blend.enabled && !program.has_logic_op;
+  return outputs;
 }
 
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,

@@ -30,6 +30,12 @@ class TilePlane {
     return out_;
   }
 
+  // The plane is written as a whole: what it held need not be loaded.
+  void overwrite() {
+    state_ = State::kLoaded;
+    changed_ = true;
+  }
+
   void store();
 
  private:
@@ -54,9 +60,13 @@ class TilePlanes {
   TilePlane& colour() { return colour_; }
   TilePlane& depth_stencil() { return depth_stencil_; }
 
-  // Before something is shaded.
-  void prepare(const FragmentOutputs& outputs) {
-    if (outputs.colour) colour_.change();
+  // Before something is shaded, perhaps over the whole tile.
+  void prepare(const FragmentOutputs& outputs, bool whole_tile) {
+    if (outputs.replaces && whole_tile) {
+      colour_.overwrite();
+    } else if (outputs.colour) {
+      colour_.change();
+    }
     if (outputs.depth_stencil_write) {
       depth_stencil_.change();
     } else if (outputs.depth_stencil_read) {
