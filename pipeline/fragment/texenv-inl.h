@@ -98,9 +98,10 @@ void combine_channel(const CombinerInput* in, int scale_log2, int count, int16_t
   }
 }
 
-// 4 * ((r0-1/2)(r1-1/2) + (g0-1/2)(g1-1/2) + (b0-1/2)(b1-1/2)), the same in every channel written.
-inline void combine_dot3(const CombinerInput in[3][3], int scale_log2, int count, int channels,
-                         int16_t (*out)[kBatchSize]) {
+// 4 * ((r0-1/2)(r1-1/2) + (g0-1/2)(g1-1/2) + (b0-1/2)(b1-1/2)), the same in every channel written;
+// alpha has its own scale.
+inline void combine_dot3(const CombinerInput in[3][3], const Combiner& combiner, int count,
+                         int channels, int16_t (*out)[kBatchSize]) {
   const hn::ScalableTag<int16_t> d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     auto sum = hn::Zero(d);
@@ -110,6 +111,7 @@ inline void combine_dot3(const CombinerInput in[3][3], int scale_log2, int count
     }
     const auto v = scale_and_clamp(d, sum, 2);
     for (int c = 0; c < channels; ++c) {
+      const int scale_log2 = c == 3 ? combiner.alpha_scale_log2 : combiner.rgb_scale_log2;
       hn::Store(scale_and_clamp(d, v, scale_log2), d, out[c] + i);
     }
   }
@@ -146,11 +148,11 @@ inline void texture_environment(const Combiner& combiner, const int16_t* constan
     }
   }
   if (combiner.rgb == Combine::kDot3Rgba) {
-    combine_dot3(rgb, combiner.rgb_scale_log2, batch.count, 4, batch.previous);
+    combine_dot3(rgb, combiner, batch.count, 4, batch.previous);
     return;
   }
   if (combiner.rgb == Combine::kDot3Rgb) {
-    combine_dot3(rgb, combiner.rgb_scale_log2, batch.count, 3, batch.previous);
+    combine_dot3(rgb, combiner, batch.count, 3, batch.previous);
   } else {
     for (int c = 0; c < 3; ++c) {
       combine_channel_any(combiner.rgb, rgb[c], combiner.rgb_scale_log2, batch.count,
