@@ -82,13 +82,15 @@ void point(Generator& g, const Source& source, Leading... leading) {
 
 void set_positions(Generator& g, int count, GLenum type, GLint size) {
   const bool whole = type == GL_BYTE || type == GL_SHORT;  // scaled by draw_something
+  // Mesa does not divide by w for the distance to a light (numerics.md).
+  const bool lit = g.has(Group::lighting) || g.has(Group::two_sided);
   std::vector<float> values;
   for (int i = 0; i < count; ++i) {
     const float x = g.perspective ? g.uniform(-3, 3) : g.uniform(-20, 148);
     const float y = g.perspective ? g.uniform(-3, 3) : g.uniform(-20, 148);
     const float z = g.perspective ? g.uniform(-8, g.chance(0.1f) ? 0.5f : -1.3f)
                                   : g.uniform(-0.95f, 0.95f) * (g.chance(0.05f) ? 2.0f : 1.0f);
-    const float w = g.uniform(0.7f, 1.5f);
+    const float w = lit ? 1.0f : g.uniform(0.7f, 1.5f);
     const float scale = whole ? 127.0f / (g.perspective ? 8.0f : 148.0f) : 1.0f;
     const float position[4] = {x * scale, y * scale, z * scale, w};
     for (GLint c = 0; c < size; ++c) {
@@ -167,8 +169,8 @@ void set_rasterization(Generator& g) {
   if (g.has(Group::points) || g.has(Group::sprites) || g.has(Group::primitives)) {
     to::PointSize{g, g.uniform(0.6f, 24)};
     if (g.chance(0.3f)) {
-      to::PointParameterfv{g, GL_POINT_DISTANCE_ATTENUATION,
-                           floats({g.uniform(0.2f, 1), g.uniform(0, 0.2f), g.uniform(0, 0.05f)})};
+      // The constant only: Mesa takes the eye's z for the distance (numerics.md).
+      to::PointParameterfv{g, GL_POINT_DISTANCE_ATTENUATION, floats({g.uniform(0.2f, 2), 0, 0})};
       to::PointParameterf{g, GL_POINT_SIZE_MIN, g.uniform(1, 4)};
       to::PointParameterf{g, GL_POINT_SIZE_MAX, g.uniform(5, 40)};
     }

@@ -23,6 +23,8 @@ constexpr Format kFormats[] = {{GL_RGBA, GL_UNSIGNED_BYTE, 4},
                                {GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 2}};
 
 bool uses_textures(const Generator& g) {
+  // Operations on bits make much of a difference of 1/255.
+  if (g.has(Group::logic_op)) return false;
   for (const Group group :
        {Group::texture, Group::mipmaps, Group::texture_matrix, Group::environment, Group::combine,
         Group::multitexture, Group::sub_images, Group::copies, Group::sprites}) {
@@ -39,10 +41,13 @@ Data texels(Generator& g, const Format& format, int width, int height) {
 
 void set_parameters(Generator& g, bool mipmaps) {
   const GLenum target = GL_TEXTURE_2D;
-  to::TexParameteri{g, target, GL_TEXTURE_MIN_FILTER,
-                    mipmaps ? g.integer(GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR)
-                            : g.integer(GL_NEAREST, GL_LINEAR)};
-  to::TexParameterx{g, target, GL_TEXTURE_MAG_FILTER, g.integer(GL_NEAREST, GL_LINEAR)};
+  const GLint min = mipmaps ? g.integer(GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR)
+                            : g.integer(GL_NEAREST, GL_LINEAR);
+  // With these, magnification begins at a lod of 0.5, in Mesa at 0 (numerics.md).
+  const bool late = min == GL_NEAREST_MIPMAP_NEAREST || min == GL_NEAREST_MIPMAP_LINEAR;
+  to::TexParameteri{g, target, GL_TEXTURE_MIN_FILTER, min};
+  to::TexParameterx{g, target, GL_TEXTURE_MAG_FILTER,
+                    late ? GL_NEAREST : g.integer(GL_NEAREST, GL_LINEAR)};
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
     to::TexParameterf{g, target, wrap,
                       g.one_of<GLenum>({GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT_OES})};
@@ -56,7 +61,8 @@ void set_image(Generator& g) {
   to::BindTexture{g, GL_TEXTURE_2D, g.textures++};
   set_parameters(g, mipmaps);
   to::PixelStorei{g, GL_UNPACK_ALIGNMENT, 1};
-  const bool generated = mipmaps && g.chance(0.3f);
+  // Mesa rounds generated levels to the bits of a packed format (numerics.md).
+  const bool generated = mipmaps && format.type == GL_UNSIGNED_BYTE && g.chance(0.3f);
   if (generated) to::TexParameteri{g, GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1};
   const bool incomplete = mipmaps && g.chance(0.05f);  // 3.7.10: as if it were disabled
   for (int level = 0;; ++level) {

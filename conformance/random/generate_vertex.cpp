@@ -35,7 +35,10 @@ void disturb(Generator& g) {
       case 4: {
         std::vector<float> matrix = g.several(16, -0.2f, 0.2f);
         for (size_t d = 0; d < 4; ++d) matrix[d * 5] += 1;
-        for (size_t w = 3; w < 15; w += 4) matrix[w] *= 0.1f;
+        // Affine with lights, see set_positions.
+        const bool lit = g.has(Group::lighting) || g.has(Group::two_sided);
+        for (size_t w = 3; w < 16; w += 4) matrix[w] = lit ? 0.0f : matrix[w] * 0.1f;
+        matrix[15] = 1;
         to::MultMatrixf{g, floats(matrix)};
         break;
       }
@@ -105,39 +108,47 @@ void set_clip_planes(Generator& g) {
 
 namespace {
 
-void set_light(Generator& g, GLenum light) {
+// Returns whether distance or direction weakens it.
+bool set_light(Generator& g, GLenum light) {
   to::Enable{g, light};
   to::Lightfv{g, light, GL_AMBIENT, floats(g.several(4, -0.05f, 0.3f))};
   to::Lightfv{g, light, GL_DIFFUSE, floats(g.several(4, -0.1f, 1.1f))};
   if (g.chance(0.6f)) to::Lightfv{g, light, GL_SPECULAR, floats(g.several(4, 0, 1))};
   const bool positional = g.chance(0.6f);
   std::vector<float> position = g.several(4, -4, 4);
-  position[3] = positional ? g.uniform(0.5f, 2) : 0;
+  // Not another w: Mesa does not divide by it (numerics.md).
+  position[3] = positional ? 1.0f : 0.0f;
   to::Lightfv{g, light, GL_POSITION, floats(position)};
-  if (!positional) return;
+  bool attenuated = false;
+  if (!positional) return false;
   if (g.chance(0.5f)) {
+    attenuated = true;
     to::Lightf{g, light, GL_CONSTANT_ATTENUATION, g.uniform(0.3f, 1)};
     to::Lightf{g, light, GL_LINEAR_ATTENUATION, g.uniform(0, 0.3f)};
     to::Lightx{g, light, GL_QUADRATIC_ATTENUATION, fixed(g.uniform(0, 0.1f))};
   }
   if (g.chance(0.5f)) {
+    attenuated = true;
     std::vector<float> direction = g.several(3, -1, 1);
     direction[2] -= 0.5f;
     to::Lightfv{g, light, GL_SPOT_DIRECTION, floats(direction)};
     to::Lightf{g, light, GL_SPOT_CUTOFF, g.uniform(10, 89)};
     to::Lightf{g, light, GL_SPOT_EXPONENT, g.chance(0.3f) ? 0 : g.uniform(0, 40)};
   }
+  return attenuated;
 }
 
 }  // namespace
 
 void set_lighting(Generator& g) {
-  if (g.has(Group::flat)) to::ShadeModel{g, GL_FLAT};
+  // An operation on bits makes much of a difference of 1/255.
+  if (g.has(Group::flat) || g.has(Group::logic_op)) to::ShadeModel{g, GL_FLAT};
   to::Color4f{g, g.uniform(0, 1), g.uniform(0, 1), g.uniform(0, 1), g.uniform(0, 1)};
   if (!g.has(Group::lighting) && !g.has(Group::two_sided)) return;
   to::Enable{g, GL_LIGHTING};
   const int lights = g.integer(1, 3);
-  for (int i = 0; i < lights; ++i) set_light(g, GL_LIGHT0 + g.random.below(8));
+  bool attenuated = false;
+  for (int i = 0; i < lights; ++i) attenuated |= set_light(g, GL_LIGHT0 + g.random.below(8));
   to::LightModelfv{g, GL_LIGHT_MODEL_AMBIENT, floats(g.several(4, 0, 0.4f))};
   if (g.has(Group::two_sided)) to::LightModelf{g, GL_LIGHT_MODEL_TWO_SIDE, 1};
   if (g.chance(0.4f)) to::Enable{g, GL_COLOR_MATERIAL};
@@ -150,7 +161,8 @@ void set_lighting(Generator& g) {
   }
   to::Materialfv{g, both, GL_SPECULAR, floats(g.several(4, 0, 1))};
   to::Materialfv{g, both, GL_EMISSION, floats(g.several(4, 0, 0.2f))};
-  to::Materialf{g, both, GL_SHININESS, g.chance(0.2f) ? 0 : g.uniform(0, 128)};
+  // Not 0 with a weakened light: Mesa's power is then of something else (numerics.md).
+  to::Materialf{g, both, GL_SHININESS, g.chance(0.2f) && !attenuated ? 0 : g.uniform(0.5f, 128)};
   if (g.chance(0.6f)) to::Enable{g, g.one_of<GLenum>({GL_NORMALIZE, GL_RESCALE_NORMAL})};
   to::Normal3f{g, g.uniform(-1, 1), g.uniform(-1, 1), g.uniform(0.1f, 1)};
 }
