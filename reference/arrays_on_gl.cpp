@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 #include "reference/desktop.h"
@@ -154,23 +155,32 @@ class Converted {
   std::vector<std::vector<float>> floats_;
 };
 
+// The desktop has one size for all points: they are drawn one by one, and its size is put back.
+void draw_sized_points(const std::vector<float>& sizes, const std::vector<GLuint>& vertices) {
+  float size = 1;
+  desktop.GetFloatv(GL_POINT_SIZE, &size);
+  for (const GLuint vertex : vertices) {
+    desktop.PointSize(std::max(sizes[vertex], 0.001f));
+    desktop.DrawArrays(GL_POINTS, static_cast<GLint>(vertex), 1);
+  }
+  desktop.PointSize(size);
+}
+
 void draw_arrays(GLenum mode, GLint first, GLsizei count) {
   const Converted converted(static_cast<size_t>(std::max(first + count, 0)));
   if (mode != GL_POINTS || !arrays.point_size.enabled) {
     desktop.DrawArrays(mode, first, count);
     return;
   }
-  // The desktop has one size for all points.
-  const std::vector<float> sizes =
-      as_floats(arrays.point_size, static_cast<size_t>(std::max(first + count, 0)));
-  for (GLint i = first; i < first + count; ++i) {
-    desktop.PointSize(std::max(sizes[i], 0.001f));
-    desktop.DrawArrays(GL_POINTS, i, 1);
-  }
+  std::vector<GLuint> vertices(static_cast<size_t>(std::max(count, 0)));
+  std::iota(vertices.begin(), vertices.end(), static_cast<GLuint>(first));
+  draw_sized_points(as_floats(arrays.point_size, static_cast<size_t>(std::max(first + count, 0))),
+                    vertices);
 }
 
 void draw_elements(GLenum mode, GLsizei count, GLenum type, const void* pointer) {
-  if (!anything_to_convert() && !(mode == GL_POINTS && arrays.point_size.enabled)) {
+  const bool known = type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT;
+  if (!known || (!anything_to_convert() && !(mode == GL_POINTS && arrays.point_size.enabled))) {
     desktop.DrawElements(mode, count, type, pointer);
     return;
   }
@@ -182,11 +192,7 @@ void draw_elements(GLenum mode, GLsizei count, GLenum type, const void* pointer)
     desktop.DrawElements(mode, count, type, pointer);
     return;
   }
-  const std::vector<float> sizes = as_floats(arrays.point_size, vertices);
-  for (const GLuint index : indices) {
-    desktop.PointSize(std::max(sizes[index], 0.001f));
-    desktop.DrawArrays(GL_POINTS, static_cast<GLint>(index), 1);
-  }
+  draw_sized_points(as_floats(arrays.point_size, vertices), indices);
 }
 
 void note(Array& array, GLint size, GLenum type, GLsizei stride, const void* pointer) {

@@ -32,8 +32,8 @@ GetProcAddress get_proc_address;
 
 class Osmesa final : public conformance::Implementation {
  public:
-  Osmesa() {
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  explicit Osmesa(const char* driver) : driver_(driver) {
+    setenv("GALLIUM_DRIVER", driver, 1);
     library_ = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) throw std::runtime_error(dlerror());
     create_context_ =
@@ -62,8 +62,8 @@ class Osmesa final : public conformance::Implementation {
       throw std::runtime_error("OSMesaMakeCurrent failed");
     }
     name_ = reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
-    if (name_.find("llvmpipe") == std::string::npos) {
-      throw std::runtime_error("the reference draws with " + name_ + ", not with llvmpipe");
+    if (name_.find(driver_) == std::string::npos) {
+      throw std::runtime_error("the reference draws with " + name_ + ", not with " + driver_);
     }
     forget_arrays();
     return gl_;
@@ -80,6 +80,7 @@ class Osmesa final : public conformance::Implementation {
   std::string name() const override { return name_; }
 
  private:
+  std::string driver_;
   void* library_ = nullptr;
   CreateContext create_context_ = nullptr;
   MakeCurrent make_current_ = nullptr;
@@ -92,6 +93,8 @@ class Osmesa final : public conformance::Implementation {
 
 }  // namespace
 
-std::unique_ptr<conformance::Implementation> open_osmesa() { return std::make_unique<Osmesa>(); }
+std::unique_ptr<conformance::Implementation> open_osmesa(const char* driver) {
+  return std::make_unique<Osmesa>(driver);
+}
 
 }  // namespace clearpipe::reference

@@ -380,7 +380,8 @@ TEST(Shade, CombinersFollowTheirEquations) {
       Combiner& combiner = unit.combiner;
       combiner.rgb = static_cast<Combine>(function);
       combiner.alpha = function < 6 ? combiner.rgb : Combine::kModulate;
-      combiner.rgb_scale_log2 = combiner.alpha_scale_log2 = static_cast<uint8_t>(scale);
+      combiner.rgb_scale_log2 = static_cast<uint8_t>(scale);
+      combiner.alpha_scale_log2 = static_cast<uint8_t>((scale + 1) % 3);
       combiner.rgb_argument = {{{CombineSource::kTexture0, CombineOperand::kColour},
                                 {CombineSource::kPrevious, CombineOperand::kOneMinusColour},
                                 {CombineSource::kConstant, CombineOperand::kAlpha}}};
@@ -420,9 +421,10 @@ TEST(Shade, CombinersFollowTheirEquations) {
             break;
         }
         if (combiner.rgb == Combine::kDot3Rgba) v = clamp01(dot);
-        const double expected = clamp01(v * (1 << scale)) * 255;
+        const int log2 = c == 3 ? combiner.alpha_scale_log2 : combiner.rgb_scale_log2;
+        const double expected = clamp01(v * (1 << log2)) * 255;
         ASSERT_NEAR(component(bench.tile.colour[7], c), expected, 0.75)
-            << function << " scale " << (1 << scale) << " component " << c;
+            << function << " scale " << (1 << log2) << " component " << c;
       }
     }
   }
