@@ -6,6 +6,7 @@
 #include <new>
 
 #include "api/context_state.h"
+#include "api/framebuffer.h"
 #include "pipeline/simd.h"
 
 namespace clearpipe::api {
@@ -63,10 +64,9 @@ void finish(Context* context) noexcept try { context->finish_frame(); } catch (.
 
 void set_targets(Context* context, const pipeline::Target& draw,
                  const pipeline::Target& read) noexcept try {
-  context->draw = draw;
-  context->read = read;
-  context->frame.set_target(draw);
-  context->dirty = kDirtyAll;
+  context->surface_draw = draw;
+  context->surface_read = read;
+  if (!context->framebuffer) use_targets(*context, draw, read);
 } catch (...) {
   context->set_error(GL_OUT_OF_MEMORY);
 }

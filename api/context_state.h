@@ -19,7 +19,12 @@ struct Context {
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0);
 
+  // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
+  // framebuffer object (framebuffer.h).
+  pipeline::Target surface_draw, surface_read;
   pipeline::Target draw, read;
+  FramebufferPtr framebuffer;  // null: the window-system framebuffer
+  RenderbufferPtr renderbuffer;
   bool was_current = false;
   pipeline::Frame frame;
   pipeline::VertexState vertex_state;

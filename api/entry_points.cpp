@@ -27,9 +27,10 @@ struct Group {
   bool locks;
 };
 constexpr Group kGroups[] = {
-    {"texture", true},  {"buffer", true},    {"draw", true},    {"array", false},
-    {"current", false}, {"fragment", false}, {"frame", false},  {"light", false},
-    {"matrix", false},  {"query", false},    {"raster", false}, {"state", false},
+    {"texture", true},     {"buffer", true},    {"draw", true},    {"array", false},
+    {"current", false},    {"fragment", false}, {"frame", false},  {"light", false},
+    {"matrix", false},     {"query", false},    {"raster", false}, {"state", false},
+    {"framebuffer", true},
 };
 consteval bool locks(std::string_view group) {
   for (const Group& g : kGroups) {

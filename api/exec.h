@@ -93,6 +93,23 @@ void compressed_tex_image(Context&, GLenum target, GLint level, GLenum internal,
                           GLsizei height, GLint border, GLsizei size, const void* data);
 void compressed_tex_sub_image(Context&, GLenum target, GLint level, GLint, GLint, GLsizei, GLsizei,
                               GLenum format, GLsizei size, const void* data);
+void generate_mipmap(Context&, GLenum target);
+// exec_framebuffer.cpp
+GLboolean is_renderbuffer(Context&, GLuint name);
+void bind_renderbuffer(Context&, GLenum target, GLuint name);
+void gen_renderbuffers(Context&, GLsizei n, GLuint* names);
+void delete_renderbuffers(Context&, GLsizei n, const GLuint* names);
+void renderbuffer_storage(Context&, GLenum target, GLenum internal, GLsizei width, GLsizei height);
+void get_renderbuffer_parameter(Context&, GLenum target, GLenum pname, GLint* params);
+GLboolean is_framebuffer(Context&, GLuint name);
+void bind_framebuffer(Context&, GLenum target, GLuint name);
+void gen_framebuffers(Context&, GLsizei n, GLuint* names);
+void delete_framebuffers(Context&, GLsizei n, const GLuint* names);
+GLenum check_framebuffer_status(Context&, GLenum target);
+void framebuffer_renderbuffer(Context&, GLenum target, GLenum point, GLenum, GLuint name);
+void framebuffer_texture(Context&, GLenum target, GLenum point, GLenum, GLuint name, GLint level);
+void get_framebuffer_attachment_parameter(Context&, GLenum target, GLenum point, GLenum pname,
+                                          GLint* params);
 // draw.cpp
 void clear(Context&, GLbitfield mask);
 void read_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,

@@ -1,4 +1,5 @@
-// The objects contexts share: buffer objects (2.9) and textures (3.7), under their names.
+// The objects contexts share: buffer objects (2.9), textures (3.7), and the framebuffer and
+// renderbuffer objects of OES_framebuffer_object, under their names.
 //
 // A share group owns the names; a context that has an object bound also holds the object, so an
 // object deleted elsewhere lives on until it is unbound. Deleting a name unbinds the object in the
@@ -6,15 +7,15 @@
 //
 // Contexts of a share group may be current to different threads at once. The rule: whoever looks at
 // the names, or at a member of an object, holds the group's mutex. Entry points take it by the
-// group of the call in gles1.def: `texture`, `buffer` and `draw` lock, all others do not and so
-// must not follow a BufferPtr or TexturePtr further than to its constant name. Executing a frame
-// needs no lock, because what it reads is not written before it is finished (frame_uses.h); only
-// calls that hold it anyway and must see pixels, or whose frame has grown too large, execute with
-// it.
-// SPDX-License-Identifier: MIT
+// group of the call in gles1.def: `texture`, `buffer`, `framebuffer` and `draw` lock, all others do
+// not and so must not follow a BufferPtr or TexturePtr further than to its constant name. Executing
+// a frame needs no lock, because what it reads is not written before it is finished (frame_uses.h);
+// only calls that hold it anyway and must see pixels, or whose frame has grown too large, execute
+// with it. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <GLES/gl.h>
+#include <GLES/glext.h>
 
 #include <array>
 #include <map>
@@ -25,6 +26,7 @@
 #include "api/limits.h"
 #include "pipeline/command.h"
 #include "pipeline/image.h"
+#include "pipeline/surface.h"
 
 namespace clearpipe::api {
 
@@ -62,6 +64,32 @@ struct TextureObject {
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
 
+// Table 8.nnn of EXT_framebuffer_object, state of a renderbuffer.
+struct RenderbufferObject {
+  explicit RenderbufferObject(GLuint n) : name(n) {}
+  const GLuint name;
+  int width = 0, height = 0;
+  GLenum internal = GL_RGBA4_OES;
+  // Of the two, what the internal format has; none before there is storage, or when it has no size.
+  std::shared_ptr<pipeline::ColourBuffer> colour;
+  std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
+};
+using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
+
+// One attachment point: nothing, a renderbuffer, or a level of a texture.
+struct Attachment {
+  RenderbufferPtr renderbuffer;
+  TexturePtr texture;
+  GLint level = 0;
+};
+
+struct FramebufferObject {
+  explicit FramebufferObject(GLuint n) : name(n) {}
+  const GLuint name;
+  Attachment colour, depth, stencil;
+};
+using FramebufferPtr = std::shared_ptr<FramebufferObject>;
+
 // Names in use. A name is generated with no object (null) and gets one when first bound.
 template <typename Object>
 class NameTable {
@@ -96,6 +124,8 @@ struct ShareGroup {
   std::mutex mutex;
   NameTable<BufferObject> buffers;
   NameTable<TextureObject> textures;
+  NameTable<RenderbufferObject> renderbuffers;
+  NameTable<FramebufferObject> framebuffers;
 };
 
 // Whether the texture is complete (3.7.9): an incomplete one disables its unit.

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "api/exec.h"
+#include "api/framebuffer.h"
 #include "api/validate.h"
 
 namespace clearpipe::api {
@@ -56,6 +57,7 @@ bool query(const Context& c, GLenum pname, const Out* out) {
   const State& s = c.state;
   const size_t active = static_cast<size_t>(s.texture.active);
   const size_t client = static_cast<size_t>(s.arrays.client_active_texture);
+  const auto draw = [&c] { return draw_target(c); };
   if (const Mat4* matrix = matrix_of(s, active, pname)) {
     const bool bits = pname >= GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES;
     for (int i = 0; out && i < 16; ++i) {
@@ -173,6 +175,9 @@ const GLubyte* get_string(Context& c, GLenum name) {
       text =
           "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
           "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
+          "GL_OES_depth24 GL_OES_depth32 GL_OES_fbo_render_mipmap GL_OES_framebuffer_object "
+          "GL_OES_packed_depth_stencil GL_OES_rgb8_rgba8 GL_OES_stencil1 GL_OES_stencil4 "
+          "GL_OES_stencil8 GL_OES_surfaceless_context "
           "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
           "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
           "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";

@@ -78,6 +78,20 @@ GLenum read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, 
                    GLenum type, const void*);
 GLenum draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 GLenum draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
+// validate_framebuffer.cpp
+GLenum framebuffer_target(const Context&, GLenum target);
+GLenum framebuffer_target(const Context&, GLenum target, GLuint);
+GLenum renderbuffer_target(const Context&, GLenum target, GLuint);
+GLenum renderbuffer_storage(const Context&, GLenum target, GLenum internal, GLsizei width,
+                            GLsizei height);
+GLenum get_renderbuffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
+GLenum framebuffer_renderbuffer(const Context&, GLenum target, GLenum point,
+                                GLenum renderbuffer_target, GLuint name);
+GLenum framebuffer_texture(const Context&, GLenum target, GLenum point, GLenum texture_target,
+                           GLuint name, GLint level);
+GLenum get_framebuffer_attachment_parameter(const Context&, GLenum target, GLenum point,
+                                            GLenum pname, const GLint*);
+GLenum generate_mipmap(const Context&, GLenum target);
 // queries.cpp
 GLenum get(const Context&, GLenum pname, const Out&);
 GLenum get_string(const Context&, GLenum name);

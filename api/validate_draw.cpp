@@ -1,14 +1,11 @@
 // Validators of vertex arrays, buffer objects, drawing and reading.
 // SPDX-License-Identifier: MIT
+#include "api/framebuffer.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
 
 namespace {
-
-GLenum framebuffer(const pipeline::Target& target) {
-  return target.colour || target.depth_stencil ? GL_NO_ERROR : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
-}
 
 const BufferPtr& bound(const Context& c, GLenum target) {
   return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
@@ -76,7 +73,7 @@ GLenum buffer_sub_data(const Context& c, GLenum target, GLintptr offset, GLsizei
 
 GLenum clear(const Context& c, GLbitfield mask) {
   constexpr GLbitfield kAll = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-  return mask & ~kAll ? GL_INVALID_VALUE : framebuffer(c.draw);
+  return mask & ~kAll ? GL_INVALID_VALUE : draw_framebuffer_error(c);
 }
 
 GLenum read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
@@ -91,14 +88,14 @@ GLenum read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height
     return GL_INVALID_ENUM;
   }
   if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) return GL_INVALID_OPERATION;
-  if (!c.read.colour) return GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  if (const GLenum error = read_framebuffer_error(c)) return error;
   return pixels ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
 GLenum draw_arrays(const Context& c, GLenum mode, GLint first, GLsizei count) {
   if (mode > GL_TRIANGLE_FAN) return GL_INVALID_ENUM;
   if (first < 0 || count < 0) return GL_INVALID_VALUE;
-  return framebuffer(c.draw);
+  return draw_framebuffer_error(c);
 }
 
 GLenum draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
@@ -116,7 +113,7 @@ GLenum draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
       return GL_INVALID_OPERATION;
     }
   }
-  return framebuffer(c.draw);
+  return draw_framebuffer_error(c);
 }
 
 }  // namespace clearpipe::api::validate

@@ -12,19 +12,20 @@
 
 namespace clearpipe::pipeline {
 
-// The pixels as they are kept. Colour is always held as RGBA8; a config with fewer bits is held in
-// the same memory, with every write rounded to what its bits can say.
+// The pixels as they are kept. Colour is always held as RGBA8. The memory may be that of a texture
+// level, which then is drawn to and sampled without a copy: `pixels` keeps the image alive.
 struct ColourBuffer {
   int width = 0, height = 0;
-  std::unique_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
+  std::shared_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
   bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
 };
 
-// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8.
+// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8. What the buffer does
+// not have is left as it is: another buffer may have it in the same memory.
 struct DepthStencilBuffer {
   int width = 0, height = 0;
   bool has_depth = true, has_stencil = true;
-  std::unique_ptr<uint32_t[]> values;
+  std::shared_ptr<uint32_t[]> values;
 };
 
 // Allocate with contents of zero (alpha 255 without alpha bits); null when memory does not suffice.
@@ -37,6 +38,9 @@ struct Target {
   std::shared_ptr<ColourBuffer> colour;
   std::shared_ptr<DepthStencilBuffer> depth_stencil;
   int width = 0, height = 0;
+  // Whether coverage is found with y counted from the top, as Mesa does for window-system surfaces;
+  // framebuffer objects count from the bottom (docs/architecture.md, "Mesa's coverage").
+  bool mirrored = true;
 };
 
 }  // namespace clearpipe::pipeline

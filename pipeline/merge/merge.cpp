@@ -62,7 +62,7 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   buffer->height = height;
   buffer->has_alpha = has_alpha;
   const size_t count = static_cast<size_t>(width) * height;
-  buffer->pixels = std::make_unique<uint32_t[]>(count);
+  buffer->pixels = std::make_shared<uint32_t[]>(count);
   if (!has_alpha) {
     std::fill_n(buffer->pixels.get(), count, 0xff000000u);
   }
@@ -78,7 +78,7 @@ std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int hei
   buffer->height = height;
   buffer->has_depth = has_depth;
   buffer->has_stencil = has_stencil;
-  buffer->values = std::make_unique<uint32_t[]>(static_cast<size_t>(width) * height);
+  buffer->values = std::make_shared<uint32_t[]>(static_cast<size_t>(width) * height);
   return buffer;
 } catch (const std::bad_alloc&) {
   return nullptr;
