@@ -12,6 +12,11 @@
 
 namespace clearpipe::api {
 
+// A vertex array object while it is not bound. They are not shared between contexts.
+struct VertexArrayObject : VertexArrayState {
+  explicit VertexArrayObject(GLuint) {}
+};
+
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
@@ -25,6 +30,8 @@ struct Context {
   pipeline::Target draw, read;
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
+  NameTable<VertexArrayObject> vertex_arrays;
+  VertexArrayState default_vertex_array;  // while another one is bound
   bool was_current = false;
   pipeline::Frame frame;
   pipeline::VertexState vertex_state;

@@ -159,6 +159,20 @@ void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const vo
   record(c, command, mode);
 }
 
+void multi_draw_arrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count,
+                       GLsizei n) {
+  for (GLsizei i = 0; i < n; ++i) {
+    if (count[i] > 0) draw_arrays(c, mode, first[i], count[i]);
+  }
+}
+
+void multi_draw_elements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                         const void* const* indices, GLsizei n) {
+  for (GLsizei i = 0; i < n; ++i) {
+    if (count[i] > 0) draw_elements(c, mode, count[i], type, indices[i]);
+  }
+}
+
 void clear(Context& c, GLbitfield mask) {
   update_targets(c);
   if (c.dirty & kDirtyRaster) {

@@ -72,6 +72,15 @@ void delete_buffers(Context&, GLsizei n, const GLuint* names);
 GLboolean is_buffer(Context&, GLuint name);
 void buffer_data(Context&, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
 void buffer_sub_data(Context&, GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+void* map_buffer(Context&, GLenum target, GLenum access);
+void* map_buffer_range(Context&, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield);
+void flush_mapped_range(Context&, GLenum target, GLintptr offset, GLsizeiptr length);
+GLboolean unmap_buffer(Context&, GLenum target);
+void get_buffer_pointer(Context&, GLenum target, GLenum pname, void** params);
+void bind_vertex_array(Context&, GLuint name);
+void gen_vertex_arrays(Context&, GLsizei n, GLuint* names);
+void delete_vertex_arrays(Context&, GLsizei n, const GLuint* names);
+GLboolean is_vertex_array(Context&, GLuint name);
 // exec_texture.cpp
 void active_texture(Context&, GLenum texture);
 void bind_texture(Context&, GLenum target, GLuint name);
@@ -110,12 +119,16 @@ void framebuffer_renderbuffer(Context&, GLenum target, GLenum point, GLenum, GLu
 void framebuffer_texture(Context&, GLenum target, GLenum point, GLenum, GLuint name, GLint level);
 void get_framebuffer_attachment_parameter(Context&, GLenum target, GLenum point, GLenum pname,
                                           GLint* params);
+void discard_framebuffer(Context&, GLenum target, GLsizei n, const GLenum* attachments);
 // draw.cpp
 void clear(Context&, GLbitfield mask);
 void read_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels);
 void draw_arrays(Context&, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void* indices);
+void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
+void multi_draw_elements(Context&, GLenum mode, const GLsizei* count, GLenum type,
+                         const void* const* indices, GLsizei n);
 // queries.cpp
 void get(Context&, GLenum pname, const Out&);
 const GLubyte* get_string(Context&, GLenum name);

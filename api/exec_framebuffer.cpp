@@ -141,4 +141,8 @@ void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLen
   }
 }
 
+// The contents become undefined: they may as well stay (EXT_discard_framebuffer). Tiles are not
+// stored before a frame is executed, and nothing says that nothing will be drawn after this.
+void discard_framebuffer(Context&, GLenum, GLsizei, const GLenum*) {}
+
 }  // namespace clearpipe::api::exec

@@ -37,6 +37,11 @@ struct BufferObject {
   GLenum usage = GL_STATIC_DRAW;
   std::shared_ptr<pipeline::BufferData> data = std::make_shared<pipeline::BufferData>();
   FrameUses uses;  // of data
+  // OES_mapbuffer, EXT_map_buffer_range: the range an application may write, with its flags. The
+  // store stays where it is while it is mapped, and no draw reads it.
+  bool mapped = false;
+  GLbitfield map_access = 0;
+  size_t map_offset = 0, map_length = 0;
 };
 using BufferPtr = std::shared_ptr<BufferObject>;
 
@@ -113,6 +118,8 @@ class NameTable {
     const auto found = objects_.find(name);
     return found != objects_.end() ? found->second : nullptr;
   }
+  // Whether the name is generated or has an object.
+  bool contains(GLuint name) const { return objects_.count(name) != 0; }
   void erase(GLuint name) { objects_.erase(name); }
 
  private:

@@ -144,7 +144,10 @@ GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&
 
 GLenum get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
   if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
-  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE) return GL_INVALID_ENUM;
+  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
+      pname != GL_BUFFER_MAPPED_OES) {
+    return GL_INVALID_ENUM;
+  }
   const ArraysState& a = c.state.arrays;
   return (target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer)
              ? GL_NO_ERROR
@@ -177,7 +180,8 @@ const GLubyte* get_string(Context& c, GLenum name) {
           "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
           "GL_OES_depth24 GL_OES_depth32 GL_OES_fbo_render_mipmap GL_OES_framebuffer_object "
           "GL_OES_packed_depth_stencil GL_OES_rgb8_rgba8 GL_OES_stencil1 GL_OES_stencil4 "
-          "GL_OES_stencil8 GL_OES_surfaceless_context "
+          "GL_OES_stencil8 GL_OES_surfaceless_context GL_OES_mapbuffer GL_EXT_map_buffer_range "
+          "GL_OES_vertex_array_object GL_EXT_multi_draw_arrays GL_EXT_discard_framebuffer "
           "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
           "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
           "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";
@@ -338,8 +342,10 @@ void get_buffer_parameter(Context& c, GLenum target, GLenum pname, GLint* params
   const ArraysState& a = c.state.arrays;
   const BufferObject& buffer =
       *(target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer);
-  *params = pname == GL_BUFFER_SIZE ? saturate_int(static_cast<double>(buffer.data->size()))
-                                    : static_cast<GLint>(buffer.usage);
+  *params = pname == GL_BUFFER_SIZE         ? saturate_int(static_cast<double>(buffer.data->size()))
+            : pname == GL_BUFFER_USAGE      ? static_cast<GLint>(buffer.usage)
+            : pname == GL_BUFFER_MAPPED_OES ? buffer.mapped
+                                            : GL_WRITE_ONLY_OES;
 }
 
 // OES_query_matrix: component i is mantissa[i] * 2^exponent[i]; a set bit marks one that is not a

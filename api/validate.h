@@ -13,6 +13,12 @@ GLenum none(const Context&, const Arguments&...) {
   return GL_NO_ERROR;
 }
 
+// The buffer object bound to a target of buffer objects, or null.
+inline const BufferPtr& bound_buffer(const Context& c, GLenum target) {
+  return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
+                                   : c.state.arrays.element_array_buffer;
+}
+
 // validate_state.cpp
 GLenum hint(const Context&, GLenum target, GLenum mode);
 GLenum enable(const Context&, GLenum cap, bool value);
@@ -73,6 +79,13 @@ GLenum buffer_target(const Context&, GLenum target, GLuint);
 GLenum buffer_data(const Context&, GLenum target, GLsizeiptr size, const void*, GLenum usage);
 GLenum buffer_sub_data(const Context&, GLenum target, GLintptr offset, GLsizeiptr size,
                        const void*);
+GLenum map_buffer(const Context&, GLenum target, GLenum access);
+GLenum map_buffer_range(const Context&, GLenum target, GLintptr offset, GLsizeiptr length,
+                        GLbitfield access);
+GLenum flush_mapped_range(const Context&, GLenum target, GLintptr offset, GLsizeiptr length);
+GLenum unmap_buffer(const Context&, GLenum target);
+GLenum get_buffer_pointer(const Context&, GLenum target, GLenum pname, void**);
+GLenum bind_vertex_array(const Context&, GLuint name);
 GLenum clear(const Context&, GLbitfield mask);
 GLenum read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                    GLenum type, const void*);
@@ -91,7 +104,12 @@ GLenum framebuffer_texture(const Context&, GLenum target, GLenum point, GLenum t
                            GLuint name, GLint level);
 GLenum get_framebuffer_attachment_parameter(const Context&, GLenum target, GLenum point,
                                             GLenum pname, const GLint*);
+GLenum discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);
 GLenum generate_mipmap(const Context&, GLenum target);
+GLenum multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const GLsizei* count,
+                         GLsizei n);
+GLenum multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
+                           const void* const* indices, GLsizei n);
 // queries.cpp
 GLenum get(const Context&, GLenum pname, const Out&);
 GLenum get_string(const Context&, GLenum name);

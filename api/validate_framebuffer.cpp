@@ -11,11 +11,14 @@ namespace {
 
 GLenum enum_if(bool good) { return good ? GL_NO_ERROR : GL_INVALID_ENUM; }
 
+bool is_attachment_point(GLenum name) {
+  return name == GL_COLOR_ATTACHMENT0_OES || name == GL_DEPTH_ATTACHMENT_OES ||
+         name == GL_STENCIL_ATTACHMENT_OES;
+}
+
 // 4.4.2: target and attachment, and that a framebuffer object is bound.
 GLenum attachment(const Context& c, GLenum target, GLenum name) {
-  const bool known = name == GL_COLOR_ATTACHMENT0_OES || name == GL_DEPTH_ATTACHMENT_OES ||
-                     name == GL_STENCIL_ATTACHMENT_OES;
-  if (target != GL_FRAMEBUFFER_OES || !known) return GL_INVALID_ENUM;
+  if (target != GL_FRAMEBUFFER_OES || !is_attachment_point(name)) return GL_INVALID_ENUM;
   return c.framebuffer ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
@@ -82,6 +85,19 @@ GLenum get_framebuffer_attachment_parameter(const Context& c, GLenum target, GLe
     default:
       return GL_INVALID_ENUM;
   }
+}
+
+GLenum discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GLenum* attachments) {
+  if (target != GL_FRAMEBUFFER_OES) return GL_INVALID_ENUM;
+  if (n < 0) return GL_INVALID_VALUE;
+  for (GLsizei i = 0; i < n; ++i) {
+    const GLenum a = attachments[i];
+    const bool known = c.framebuffer
+                           ? is_attachment_point(a)
+                           : a == GL_COLOR_EXT || a == GL_DEPTH_EXT || a == GL_STENCIL_EXT;
+    if (!known) return GL_INVALID_ENUM;
+  }
+  return GL_NO_ERROR;
 }
 
 GLenum generate_mipmap(const Context& c, GLenum target) {
