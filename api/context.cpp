@@ -18,12 +18,14 @@ __attribute__((tls_model("initial-exec")))
 thread_local Context* current = nullptr;
 }  // namespace
 
-Context* create_context(Context* share) noexcept try {
+Context* create_context(Context* share, ContextFlags flags) noexcept try {
   auto context = std::make_unique<Context>();
   context->share = share ? share->share : std::make_shared<ShareGroup>();
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
   }
+  context->debug.output = flags.debug;
+  context->no_error = flags.no_error;
   pipeline::select_simd_target();
   context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
   return context.release();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "api/context.h"
+#include "api/debug.h"
 #include "api/state.h"
 #include "pipeline/exec/frame.h"
 
@@ -15,12 +16,16 @@ namespace clearpipe::api {
 // A vertex array object while it is not bound. They are not shared between contexts.
 struct VertexArrayObject : VertexArrayState {
   explicit VertexArrayObject(GLuint) {}
+  std::string label;
 };
 
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
+  GLenum raised = GL_NO_ERROR;  // by the call that is running
+  bool no_error = false;        // KHR_no_error: nothing but OUT_OF_MEMORY is reported
+  DebugState debug;
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0);
 
@@ -54,7 +59,9 @@ struct Context {
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(GLenum value) {
+    if (no_error && value != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = value;
+    raised = value;
   }
 };
 

@@ -129,6 +129,25 @@ void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void
 void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
 void multi_draw_elements(Context&, GLenum mode, const GLsizei* count, GLenum type,
                          const void* const* indices, GLsizei n);
+// exec_debug.cpp
+void debug_message_control(Context&, GLenum source, GLenum type, GLenum severity, GLsizei count,
+                           const GLuint* ids, GLboolean enabled);
+void debug_message_insert(Context&, GLenum source, GLenum type, GLuint id, GLenum severity,
+                          GLsizei length, const char* text);
+void debug_message_callback(Context&, DebugCallback callback, const void* user_param);
+GLuint get_debug_message_log(Context&, GLuint count, GLsizei size, GLenum* sources, GLenum* types,
+                             GLuint* ids, GLenum* severities, GLsizei* lengths, char* text);
+void push_debug_group(Context&, GLenum source, GLuint id, GLsizei length, const char* text);
+void pop_debug_group(Context&);
+void object_label(Context&, GLenum identifier, GLuint name, GLsizei length, const char* label);
+void get_object_label(Context&, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
+                      char* label);
+// The validator accepts no pointer.
+inline void set_sync_label(Context&, const void*, GLsizei, const char*) {}
+inline void get_sync_label(Context&, const void*, GLsizei, GLsizei*, char*) {}
+void insert_event_marker(Context&, GLsizei length, const char* marker);
+void push_group_marker(Context&, GLsizei length, const char* marker);
+void pop_group_marker(Context&);
 // queries.cpp
 void get(Context&, GLenum pname, const Out&);
 const GLubyte* get_string(Context&, GLenum name);

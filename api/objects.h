@@ -21,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "api/frame_uses.h"
 #include "api/limits.h"
@@ -36,7 +37,8 @@ struct BufferObject {
   const GLuint name;
   GLenum usage = GL_STATIC_DRAW;
   std::shared_ptr<pipeline::BufferData> data = std::make_shared<pipeline::BufferData>();
-  FrameUses uses;  // of data
+  std::string label;  // KHR_debug, as of all objects
+  FrameUses uses;     // of data
   // OES_mapbuffer, EXT_map_buffer_range: the range an application may write, with its flags. The
   // store stays where it is while it is mapped, and no draw reads it.
   bool mapped = false;
@@ -65,6 +67,7 @@ struct TextureObject {
   bool generate_mipmap = false;
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
+  std::string label;
   FrameUses uses;  // of image
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
@@ -75,6 +78,7 @@ struct RenderbufferObject {
   const GLuint name;
   int width = 0, height = 0;
   GLenum internal = GL_RGBA4_OES;
+  std::string label;
   // Of the two, what the internal format has; none before there is storage, or when it has no size.
   std::shared_ptr<pipeline::ColourBuffer> colour;
   std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
@@ -92,6 +96,7 @@ struct FramebufferObject {
   explicit FramebufferObject(GLuint n) : name(n) {}
   const GLuint name;
   Attachment colour, depth, stencil;
+  std::string label;
 };
 using FramebufferPtr = std::shared_ptr<FramebufferObject>;
 

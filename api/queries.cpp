@@ -103,6 +103,8 @@ GLenum get_pointer(const Context&, GLenum pname, void**) {
     case GL_COLOR_ARRAY_POINTER:
     case GL_TEXTURE_COORD_ARRAY_POINTER:
     case GL_POINT_SIZE_ARRAY_POINTER_OES:
+    case GL_DEBUG_CALLBACK_FUNCTION_KHR:
+    case GL_DEBUG_CALLBACK_USER_PARAM_KHR:
       return GL_NO_ERROR;
     default:
       return GL_INVALID_ENUM;
@@ -181,6 +183,7 @@ const GLubyte* get_string(Context& c, GLenum name) {
           "GL_OES_depth24 GL_OES_depth32 GL_OES_fbo_render_mipmap GL_OES_framebuffer_object "
           "GL_OES_packed_depth_stencil GL_OES_rgb8_rgba8 GL_OES_stencil1 GL_OES_stencil4 "
           "GL_OES_stencil8 GL_OES_surfaceless_context GL_OES_mapbuffer GL_EXT_map_buffer_range "
+          "GL_EXT_debug_marker GL_KHR_debug "
           "GL_OES_vertex_array_object GL_EXT_multi_draw_arrays GL_EXT_discard_framebuffer "
           "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
           "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
@@ -190,6 +193,14 @@ const GLubyte* get_string(Context& c, GLenum name) {
 }
 
 void get_pointer(Context& c, GLenum pname, void** params) {
+  if (pname == GL_DEBUG_CALLBACK_FUNCTION_KHR) {
+    *params = reinterpret_cast<void*>(c.debug.callback);
+    return;
+  }
+  if (pname == GL_DEBUG_CALLBACK_USER_PARAM_KHR) {
+    *params = const_cast<void*>(c.debug.user_param);
+    return;
+  }
   const ArraysState& a = c.state.arrays;
   const ArrayState& array = pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
                             : pname == GL_NORMAL_ARRAY_POINTER ? a.normal

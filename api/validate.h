@@ -110,6 +110,23 @@ GLenum multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const 
                          GLsizei n);
 GLenum multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
                            const void* const* indices, GLsizei n);
+// validate_debug.cpp
+GLenum debug_message_control(const Context&, GLenum source, GLenum type, GLenum severity,
+                             GLsizei count, const GLuint* ids, GLboolean);
+GLenum debug_message_insert(const Context&, GLenum source, GLenum type, GLuint, GLenum severity,
+                            GLsizei length, const char* text);
+GLenum get_debug_message_log(const Context&, GLuint, GLsizei size, const GLenum*, const GLenum*,
+                             const GLuint*, const GLenum*, const GLsizei*, const char* text);
+GLenum push_debug_group(const Context&, GLenum source, GLuint, GLsizei length, const char* text);
+GLenum pop_debug_group(const Context&);
+GLenum object_label(const Context&, GLenum identifier, GLuint name, GLsizei length, const char*);
+GLenum get_object_label(const Context&, GLenum identifier, GLuint name, GLsizei size,
+                        const GLsizei*, const char*);
+// No object is named by a pointer: there are no sync objects.
+template <typename... Arguments>
+GLenum sync_label(const Context&, const Arguments&...) {
+  return GL_INVALID_VALUE;
+}
 // queries.cpp
 GLenum get(const Context&, GLenum pname, const Out&);
 GLenum get_string(const Context&, GLenum name);
