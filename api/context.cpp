@@ -6,6 +6,7 @@
 #include <new>
 
 #include "api/context_state.h"
+#include "api/framebuffer.h"
 #include "pipeline/simd.h"
 
 namespace clearpipe::api {
@@ -17,12 +18,14 @@ __attribute__((tls_model("initial-exec")))
 thread_local Context* current = nullptr;
 }  // namespace
 
-Context* create_context(Context* share) noexcept try {
+Context* create_context(Context* share, ContextFlags flags) noexcept try {
   auto context = std::make_unique<Context>();
   context->share = share ? share->share : std::make_shared<ShareGroup>();
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
   }
+  context->debug.output = flags.debug;
+  context->no_error = flags.no_error;
   pipeline::select_simd_target();
   context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
   return context.release();
@@ -63,10 +66,9 @@ void finish(Context* context) noexcept try { context->finish_frame(); } catch (.
 
 void set_targets(Context* context, const pipeline::Target& draw,
                  const pipeline::Target& read) noexcept try {
-  context->draw = draw;
-  context->read = read;
-  context->frame.set_target(draw);
-  context->dirty = kDirtyAll;
+  context->surface_draw = draw;
+  context->surface_read = read;
+  if (!context->framebuffer) use_targets(*context, draw, read);
 } catch (...) {
   context->set_error(GL_OUT_OF_MEMORY);
 }

@@ -9,8 +9,14 @@ namespace clearpipe::api {
 
 struct Context;
 
+// EGL_CONTEXT_OPENGL_DEBUG: debug output is enabled at first (KHR_debug). EGL's no-error attribute:
+// errors are not reported, except for OUT_OF_MEMORY; calls that are wrong still do nothing.
+struct ContextFlags {
+  bool debug = false, no_error = false;
+};
+
 // Null when memory does not suffice. Textures and buffers are shared with `share` if given.
-Context* create_context(Context* share) noexcept;
+Context* create_context(Context* share, ContextFlags flags = {}) noexcept;
 
 // The context must not be current to any thread.
 void destroy_context(Context* context) noexcept;

@@ -7,19 +7,36 @@
 #include <string>
 
 #include "api/context.h"
+#include "api/debug.h"
 #include "api/state.h"
 #include "pipeline/exec/frame.h"
 
 namespace clearpipe::api {
 
+// A vertex array object while it is not bound. They are not shared between contexts.
+struct VertexArrayObject : VertexArrayState {
+  explicit VertexArrayObject(GLuint) {}
+  std::string label;
+};
+
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
+  GLenum raised = GL_NO_ERROR;  // by the call that is running
+  bool no_error = false;        // KHR_no_error: nothing but OUT_OF_MEMORY is reported
+  DebugState debug;
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0);
 
+  // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
+  // framebuffer object (framebuffer.h).
+  pipeline::Target surface_draw, surface_read;
   pipeline::Target draw, read;
+  FramebufferPtr framebuffer;  // null: the window-system framebuffer
+  RenderbufferPtr renderbuffer;
+  NameTable<VertexArrayObject> vertex_arrays;
+  VertexArrayState default_vertex_array;  // while another one is bound
   bool was_current = false;
   pipeline::Frame frame;
   pipeline::VertexState vertex_state;
@@ -42,7 +59,9 @@ struct Context {
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(GLenum value) {
+    if (no_error && value != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = value;
+    raised = value;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "api/context_state.h"
+#include "api/framebuffer.h"
 
 namespace clearpipe::api {
 
@@ -300,6 +301,9 @@ void derive_fragment(Context& context) {
     pipeline::TextureUnit& unit = f.unit[u];
     if (!unit.enabled) continue;
     unit.image = from.texture->image;
+    if (samples_its_target(context, *from.texture)) {
+      unit.image = std::make_shared<pipeline::Image>(*unit.image);
+    }
     unit.sampler = derive_sampler(*from.texture);
     unit.combiner = from.env_mode == GL_COMBINE
                         ? derive_combine(from, u)

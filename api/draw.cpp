@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "api/exec.h"
+#include "api/framebuffer.h"
 
 namespace clearpipe::api::exec {
 
@@ -85,11 +86,17 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
 void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
     const TextureUnitState& unit = c.state.texture.unit[u];
-    if (unit.enabled && c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
+    if (!unit.enabled) continue;
+    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
+    if (samples_its_target(c, *unit.texture)) {
+      c.finish_frame();  // the draw samples what the level holds now
+      c.dirty |= kDirtyFragment;
+    }
   }
 }
 
 void update_state(Context& c) {
+  update_targets(c);
   notice_changed_textures(c);
   if (c.dirty & kDirtyVertex) derive_vertex(c);
   if (c.dirty & kDirtyRaster) derive_raster(c);
@@ -99,6 +106,7 @@ void update_state(Context& c) {
 
 // What the draw reads when the frame is executed.
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
+  note_drawn_texture(c);
   for (size_t u = 0; u < kTextureUnits; ++u) {
     if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
   }
@@ -151,7 +159,22 @@ void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const vo
   record(c, command, mode);
 }
 
+void multi_draw_arrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count,
+                       GLsizei n) {
+  for (GLsizei i = 0; i < n; ++i) {
+    if (count[i] > 0) draw_arrays(c, mode, first[i], count[i]);
+  }
+}
+
+void multi_draw_elements(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                         const void* const* indices, GLsizei n) {
+  for (GLsizei i = 0; i < n; ++i) {
+    if (count[i] > 0) draw_elements(c, mode, count[i], type, indices[i]);
+  }
+}
+
 void clear(Context& c, GLbitfield mask) {
+  update_targets(c);
   if (c.dirty & kDirtyRaster) {
     derive_raster(c);
     c.dirty &= ~static_cast<uint32_t>(kDirtyRaster);
@@ -178,12 +201,14 @@ void clear(Context& c, GLbitfield mask) {
   command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
+  note_drawn_texture(c);
   if (!c.frame.clear(command)) c.set_error(GL_OUT_OF_MEMORY);
 }
 
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
                  void* pixels) {
   c.finish_frame();
+  update_targets(c);
   pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;

@@ -27,9 +27,10 @@ struct Group {
   bool locks;
 };
 constexpr Group kGroups[] = {
-    {"texture", true},  {"buffer", true},    {"draw", true},    {"array", false},
-    {"current", false}, {"fragment", false}, {"frame", false},  {"light", false},
-    {"matrix", false},  {"query", false},    {"raster", false}, {"state", false},
+    {"texture", true},     {"buffer", true},    {"draw", true},    {"array", false},
+    {"current", false},    {"fragment", false}, {"frame", false},  {"light", false},
+    {"matrix", false},     {"query", false},    {"raster", false}, {"state", false},
+    {"framebuffer", true}, {"label", true},     {"debug", false},
 };
 consteval bool locks(std::string_view group) {
   for (const Group& g : kGroups) {
@@ -43,10 +44,40 @@ Type nothing() {
   return Type();
 }
 
-template <typename Return, bool kLocks, typename Body>
-Return enter(const Body& body) noexcept {
+// At the end of a call, after the lock is gone: the message of its error, and all others.
+template <typename Report>
+class AtEnd {
+ public:
+  AtEnd(Context& context, const Report& report) : context_(context), report_(report) {
+    context_.raised = GL_NO_ERROR;
+  }
+  ~AtEnd() {
+    if (context_.raised != GL_NO_ERROR && wants_errors(context_)) try {
+        report_(context_);
+      } catch (...) {
+        // A message that finds no memory is lost.
+      }
+    if (!context_.debug.waiting.empty()) deliver_messages(context_);
+  }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  Context& context_;
+  const Report& report_;
+};
+
+template <typename... Arguments>
+void report_error(Context& context, const char* call, const char* names,
+                  const Arguments&... arguments) {
+  add_error_message(context, call, names, {argument_text(arguments)...}, context.raised);
+}
+
+template <typename Return, bool kLocks, typename Body, typename Report>
+Return enter(const Body& body, const Report& report) noexcept {
   Context* context = current_context();
   if (!context) return Return();
+  const AtEnd at_end(*context, report);
   try {
     if constexpr (kLocks) {
       const std::lock_guard<std::mutex> lock(context->share->mutex);
@@ -65,14 +96,18 @@ Return enter(const Body& body) noexcept {
 #define AFTER_CONTEXT(...) __VA_OPT__(, ) __VA_ARGS__
 #define CALL(type, name, parameters, arguments, validator, executor, group, stages)        \
   extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
-    return enter<type, locks(#group)>([&](Context& context) -> type {                      \
+    const auto report = [&](Context& context) {                                            \
+      report_error(context, "gl" #name, #arguments AFTER_CONTEXT arguments);               \
+    };                                                                                     \
+    const auto body = [&](Context& context) -> type {                                      \
       const GLenum error = validate::validator(context AFTER_CONTEXT arguments);           \
       if (error != GL_NO_ERROR) {                                                          \
         context.set_error(error);                                                          \
         return nothing<type>();                                                            \
       }                                                                                    \
       return exec::executor(context AFTER_CONTEXT arguments);                              \
-    });                                                                                    \
+    };                                                                                     \
+    return enter<type, locks(#group)>(body, report);                                       \
   }
 #include "api/gles1.def"
 #undef CALL

@@ -72,6 +72,15 @@ void delete_buffers(Context&, GLsizei n, const GLuint* names);
 GLboolean is_buffer(Context&, GLuint name);
 void buffer_data(Context&, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
 void buffer_sub_data(Context&, GLenum target, GLintptr offset, GLsizeiptr size, const void* data);
+void* map_buffer(Context&, GLenum target, GLenum access);
+void* map_buffer_range(Context&, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield);
+void flush_mapped_range(Context&, GLenum target, GLintptr offset, GLsizeiptr length);
+GLboolean unmap_buffer(Context&, GLenum target);
+void get_buffer_pointer(Context&, GLenum target, GLenum pname, void** params);
+void bind_vertex_array(Context&, GLuint name);
+void gen_vertex_arrays(Context&, GLsizei n, GLuint* names);
+void delete_vertex_arrays(Context&, GLsizei n, const GLuint* names);
+GLboolean is_vertex_array(Context&, GLuint name);
 // exec_texture.cpp
 void active_texture(Context&, GLenum texture);
 void bind_texture(Context&, GLenum target, GLuint name);
@@ -93,12 +102,52 @@ void compressed_tex_image(Context&, GLenum target, GLint level, GLenum internal,
                           GLsizei height, GLint border, GLsizei size, const void* data);
 void compressed_tex_sub_image(Context&, GLenum target, GLint level, GLint, GLint, GLsizei, GLsizei,
                               GLenum format, GLsizei size, const void* data);
+void generate_mipmap(Context&, GLenum target);
+// exec_framebuffer.cpp
+GLboolean is_renderbuffer(Context&, GLuint name);
+void bind_renderbuffer(Context&, GLenum target, GLuint name);
+void gen_renderbuffers(Context&, GLsizei n, GLuint* names);
+void delete_renderbuffers(Context&, GLsizei n, const GLuint* names);
+void renderbuffer_storage(Context&, GLenum target, GLenum internal, GLsizei width, GLsizei height);
+void get_renderbuffer_parameter(Context&, GLenum target, GLenum pname, GLint* params);
+GLboolean is_framebuffer(Context&, GLuint name);
+void bind_framebuffer(Context&, GLenum target, GLuint name);
+void gen_framebuffers(Context&, GLsizei n, GLuint* names);
+void delete_framebuffers(Context&, GLsizei n, const GLuint* names);
+GLenum check_framebuffer_status(Context&, GLenum target);
+void framebuffer_renderbuffer(Context&, GLenum target, GLenum point, GLenum, GLuint name);
+void framebuffer_texture(Context&, GLenum target, GLenum point, GLenum, GLuint name, GLint level);
+void get_framebuffer_attachment_parameter(Context&, GLenum target, GLenum point, GLenum pname,
+                                          GLint* params);
+void discard_framebuffer(Context&, GLenum target, GLsizei n, const GLenum* attachments);
 // draw.cpp
 void clear(Context&, GLbitfield mask);
 void read_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels);
 void draw_arrays(Context&, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void* indices);
+void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
+void multi_draw_elements(Context&, GLenum mode, const GLsizei* count, GLenum type,
+                         const void* const* indices, GLsizei n);
+// exec_debug.cpp
+void debug_message_control(Context&, GLenum source, GLenum type, GLenum severity, GLsizei count,
+                           const GLuint* ids, GLboolean enabled);
+void debug_message_insert(Context&, GLenum source, GLenum type, GLuint id, GLenum severity,
+                          GLsizei length, const char* text);
+void debug_message_callback(Context&, DebugCallback callback, const void* user_param);
+GLuint get_debug_message_log(Context&, GLuint count, GLsizei size, GLenum* sources, GLenum* types,
+                             GLuint* ids, GLenum* severities, GLsizei* lengths, char* text);
+void push_debug_group(Context&, GLenum source, GLuint id, GLsizei length, const char* text);
+void pop_debug_group(Context&);
+void object_label(Context&, GLenum identifier, GLuint name, GLsizei length, const char* label);
+void get_object_label(Context&, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
+                      char* label);
+// The validator accepts no pointer.
+inline void set_sync_label(Context&, const void*, GLsizei, const char*) {}
+inline void get_sync_label(Context&, const void*, GLsizei, GLsizei*, char*) {}
+void insert_event_marker(Context&, GLsizei length, const char* marker);
+void push_group_marker(Context&, GLsizei length, const char* marker);
+void pop_group_marker(Context&);
 // queries.cpp
 void get(Context&, GLenum pname, const Out&);
 const GLubyte* get_string(Context&, GLenum name);

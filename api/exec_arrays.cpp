@@ -35,8 +35,8 @@ void set_pointer(Context& c, GLenum which, GLint size, GLenum type, GLsizei stri
 }
 
 BufferPtr& binding(Context& c, GLenum target) {
-  return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
-                                   : c.state.arrays.element_array_buffer;
+  ArraysState& a = c.state.arrays;
+  return target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer;
 }
 
 }  // namespace
@@ -81,6 +81,7 @@ void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
     const BufferPtr buffer = c.share->buffers.find(names[i]);
     c.share->buffers.erase(names[i]);
     if (!buffer) continue;
+    buffer->mapped = false;
     if (a.array_buffer == buffer) a.array_buffer = nullptr;
     if (a.element_array_buffer == buffer) a.element_array_buffer = nullptr;
     // Arrays that lie in the buffer become arrays at address zero: nothing is drawn from them.
@@ -103,6 +104,7 @@ void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, G
   buffer.data = std::move(store);
   buffer.uses.clear();
   buffer.usage = usage;
+  buffer.mapped = false;  // a new store is not mapped
 }
 
 void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size,

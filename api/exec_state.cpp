@@ -56,6 +56,10 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.pixel.blend, kDirtyFragment};
     case GL_DITHER:
       return {&s.pixel.dither, kDirtyFragment};
+    case GL_DEBUG_OUTPUT_KHR:
+      return {&c.debug.output, 0};
+    case GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR:
+      return {&c.debug.synchronous, 0};
     case GL_COLOR_LOGIC_OP:
       return {&s.pixel.logic_op_enabled, kDirtyFragment};
     default:

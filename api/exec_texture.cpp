@@ -1,6 +1,7 @@
 // Texture objects, their parameters and the texture environment (3.7.5, 3.7.11, 3.7.12).
 // SPDX-License-Identifier: MIT
 #include "api/exec.h"
+#include "api/framebuffer.h"
 
 namespace clearpipe::api::exec {
 
@@ -24,6 +25,7 @@ void delete_textures(Context& c, GLsizei n, const GLuint* names) {
     for (TextureUnitState& unit : c.state.texture.unit) {
       if (unit.texture == texture) unit.texture = c.default_texture;
     }
+    detach(c, texture);
     c.share->textures.erase(names[i]);
   }
   c.dirty |= kDirtyTexture;

@@ -9,6 +9,8 @@
 
 #include <vector>
 
+#include "api/khr_debug.h"
+
 namespace clearpipe::api {
 
 // How values convert (6.1.2).

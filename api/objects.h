@@ -1,4 +1,5 @@
-// The objects contexts share: buffer objects (2.9) and textures (3.7), under their names.
+// The objects contexts share: buffer objects (2.9), textures (3.7), and the framebuffer and
+// renderbuffer objects of OES_framebuffer_object, under their names.
 //
 // A share group owns the names; a context that has an object bound also holds the object, so an
 // object deleted elsewhere lives on until it is unbound. Deleting a name unbinds the object in the
@@ -6,25 +7,27 @@
 //
 // Contexts of a share group may be current to different threads at once. The rule: whoever looks at
 // the names, or at a member of an object, holds the group's mutex. Entry points take it by the
-// group of the call in gles1.def: `texture`, `buffer` and `draw` lock, all others do not and so
-// must not follow a BufferPtr or TexturePtr further than to its constant name. Executing a frame
-// needs no lock, because what it reads is not written before it is finished (frame_uses.h); only
-// calls that hold it anyway and must see pixels, or whose frame has grown too large, execute with
-// it.
-// SPDX-License-Identifier: MIT
+// group of the call in gles1.def: `texture`, `buffer`, `framebuffer` and `draw` lock, all others do
+// not and so must not follow a BufferPtr or TexturePtr further than to its constant name. Executing
+// a frame needs no lock, because what it reads is not written before it is finished (frame_uses.h);
+// only calls that hold it anyway and must see pixels, or whose frame has grown too large, execute
+// with it. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <GLES/gl.h>
+#include <GLES/glext.h>
 
 #include <array>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "api/frame_uses.h"
 #include "api/limits.h"
 #include "pipeline/command.h"
 #include "pipeline/image.h"
+#include "pipeline/surface.h"
 
 namespace clearpipe::api {
 
@@ -34,7 +37,13 @@ struct BufferObject {
   const GLuint name;
   GLenum usage = GL_STATIC_DRAW;
   std::shared_ptr<pipeline::BufferData> data = std::make_shared<pipeline::BufferData>();
-  FrameUses uses;  // of data
+  std::string label;  // KHR_debug, as of all objects
+  FrameUses uses;     // of data
+  // OES_mapbuffer, EXT_map_buffer_range: the range an application may write, with its flags. The
+  // store stays where it is while it is mapped, and no draw reads it.
+  bool mapped = false;
+  GLbitfield map_access = 0;
+  size_t map_offset = 0, map_length = 0;
 };
 using BufferPtr = std::shared_ptr<BufferObject>;
 
@@ -58,9 +67,38 @@ struct TextureObject {
   bool generate_mipmap = false;
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
+  std::string label;
   FrameUses uses;  // of image
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
+
+// Table 8.nnn of EXT_framebuffer_object, state of a renderbuffer.
+struct RenderbufferObject {
+  explicit RenderbufferObject(GLuint n) : name(n) {}
+  const GLuint name;
+  int width = 0, height = 0;
+  GLenum internal = GL_RGBA4_OES;
+  std::string label;
+  // Of the two, what the internal format has; none before there is storage, or when it has no size.
+  std::shared_ptr<pipeline::ColourBuffer> colour;
+  std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
+};
+using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
+
+// One attachment point: nothing, a renderbuffer, or a level of a texture.
+struct Attachment {
+  RenderbufferPtr renderbuffer;
+  TexturePtr texture;
+  GLint level = 0;
+};
+
+struct FramebufferObject {
+  explicit FramebufferObject(GLuint n) : name(n) {}
+  const GLuint name;
+  Attachment colour, depth, stencil;
+  std::string label;
+};
+using FramebufferPtr = std::shared_ptr<FramebufferObject>;
 
 // Names in use. A name is generated with no object (null) and gets one when first bound.
 template <typename Object>
@@ -85,6 +123,8 @@ class NameTable {
     const auto found = objects_.find(name);
     return found != objects_.end() ? found->second : nullptr;
   }
+  // Whether the name is generated or has an object.
+  bool contains(GLuint name) const { return objects_.count(name) != 0; }
   void erase(GLuint name) { objects_.erase(name); }
 
  private:
@@ -96,6 +136,8 @@ struct ShareGroup {
   std::mutex mutex;
   NameTable<BufferObject> buffers;
   NameTable<TextureObject> textures;
+  NameTable<RenderbufferObject> renderbuffers;
+  NameTable<FramebufferObject> framebuffers;
 };
 
 // Whether the texture is complete (3.7.9): an incomplete one disables its unit.

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "api/exec.h"
+#include "api/framebuffer.h"
 #include "api/validate.h"
 
 namespace clearpipe::api {
@@ -56,6 +57,7 @@ bool query(const Context& c, GLenum pname, const Out* out) {
   const State& s = c.state;
   const size_t active = static_cast<size_t>(s.texture.active);
   const size_t client = static_cast<size_t>(s.arrays.client_active_texture);
+  const auto draw = [&c] { return draw_target(c); };
   if (const Mat4* matrix = matrix_of(s, active, pname)) {
     const bool bits = pname >= GL_MODELVIEW_MATRIX_FLOAT_AS_INT_BITS_OES;
     for (int i = 0; out && i < 16; ++i) {
@@ -101,6 +103,8 @@ GLenum get_pointer(const Context&, GLenum pname, void**) {
     case GL_COLOR_ARRAY_POINTER:
     case GL_TEXTURE_COORD_ARRAY_POINTER:
     case GL_POINT_SIZE_ARRAY_POINTER_OES:
+    case GL_DEBUG_CALLBACK_FUNCTION_KHR:
+    case GL_DEBUG_CALLBACK_USER_PARAM_KHR:
       return GL_NO_ERROR;
     default:
       return GL_INVALID_ENUM;
@@ -142,7 +146,10 @@ GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&
 
 GLenum get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
   if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
-  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE) return GL_INVALID_ENUM;
+  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
+      pname != GL_BUFFER_MAPPED_OES) {
+    return GL_INVALID_ENUM;
+  }
   const ArraysState& a = c.state.arrays;
   return (target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer)
              ? GL_NO_ERROR
@@ -173,6 +180,11 @@ const GLubyte* get_string(Context& c, GLenum name) {
       text =
           "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
           "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
+          "GL_OES_depth24 GL_OES_depth32 GL_OES_fbo_render_mipmap GL_OES_framebuffer_object "
+          "GL_OES_packed_depth_stencil GL_OES_rgb8_rgba8 GL_OES_stencil1 GL_OES_stencil4 "
+          "GL_OES_stencil8 GL_OES_surfaceless_context GL_OES_mapbuffer GL_EXT_map_buffer_range "
+          "GL_EXT_debug_marker GL_KHR_debug "
+          "GL_OES_vertex_array_object GL_EXT_multi_draw_arrays GL_EXT_discard_framebuffer "
           "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
           "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
           "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";
@@ -181,6 +193,14 @@ const GLubyte* get_string(Context& c, GLenum name) {
 }
 
 void get_pointer(Context& c, GLenum pname, void** params) {
+  if (pname == GL_DEBUG_CALLBACK_FUNCTION_KHR) {
+    *params = reinterpret_cast<void*>(c.debug.callback);
+    return;
+  }
+  if (pname == GL_DEBUG_CALLBACK_USER_PARAM_KHR) {
+    *params = const_cast<void*>(c.debug.user_param);
+    return;
+  }
   const ArraysState& a = c.state.arrays;
   const ArrayState& array = pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
                             : pname == GL_NORMAL_ARRAY_POINTER ? a.normal
@@ -333,8 +353,10 @@ void get_buffer_parameter(Context& c, GLenum target, GLenum pname, GLint* params
   const ArraysState& a = c.state.arrays;
   const BufferObject& buffer =
       *(target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer);
-  *params = pname == GL_BUFFER_SIZE ? saturate_int(static_cast<double>(buffer.data->size()))
-                                    : static_cast<GLint>(buffer.usage);
+  *params = pname == GL_BUFFER_SIZE         ? saturate_int(static_cast<double>(buffer.data->size()))
+            : pname == GL_BUFFER_USAGE      ? static_cast<GLint>(buffer.usage)
+            : pname == GL_BUFFER_MAPPED_OES ? buffer.mapped
+                                            : GL_WRITE_ONLY_OES;
 }
 
 // OES_query_matrix: component i is mantissa[i] * 2^exponent[i]; a set bit marks one that is not a

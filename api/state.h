@@ -39,13 +39,20 @@ struct ArrayState {
   BufferPtr buffer;
 };
 
-struct ArraysState {
-  GLint client_active_texture = 0;
+// What a vertex array object holds (OES_vertex_array_object).
+struct VertexArrayState {
   ArrayState vertex, colour;
   ArrayState normal{false, 3, GL_FLOAT, 0, nullptr, nullptr};
   ArrayState point_size{false, 1, GL_FLOAT, 0, nullptr, nullptr};
   std::array<ArrayState, kTextureUnits> tex_coord;
-  BufferPtr array_buffer, element_array_buffer;
+  BufferPtr element_array_buffer;
+};
+
+// The state of the bound vertex array object is here, not in the object.
+struct ArraysState : VertexArrayState {
+  GLint client_active_texture = 0;
+  BufferPtr array_buffer;
+  GLuint vertex_array = 0;
 };
 
 // Table 6.7: transformation state.

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "api/exec.h"
+#include "api/framebuffer.h"
 #include "api/pixel_format.h"
 
 namespace clearpipe::api::exec {
@@ -22,8 +23,9 @@ pipeline::ImageLevel make_level(int width, int height) {
 }
 
 // Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
-void install_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
-                    GLenum format) {
+void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
+                    GLenum internal, GLenum format) {
+  finish_drawing_to(c, texture);
   const size_t end = first + levels.size();
   if (texture.uses.pending()) {
     auto image = std::make_shared<pipeline::Image>();
@@ -109,21 +111,23 @@ bool generates(const TextureObject& texture, GLint level) {
 }
 
 // Replaces one level, and those that follow from it.
-void replace_level(TextureObject& texture, GLint level, pipeline::ImageLevel to, GLenum format) {
+void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+                   GLenum format) {
   Levels levels;
   levels.push_back(std::move(to));
   if (generates(texture, level)) add_mipmaps(levels);
-  install_levels(texture, static_cast<size_t>(level), std::move(levels), format, format);
+  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), format, format);
 }
 
 // Changes texels of one level, and the levels that follow from it.
 template <typename Change>
 void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
   const size_t index = static_cast<size_t>(level);
+  finish_drawing_to(c, texture);
   if (generates(texture, level)) {
     pipeline::ImageLevel copy = texture.image->levels[index];
     change(copy);
-    replace_level(texture, level, std::move(copy), texture.level[index].format);
+    replace_level(c, texture, level, std::move(copy), texture.level[index].format);
     return;
   }
   size_t bytes = 0;
@@ -177,7 +181,7 @@ void tex_image(Context& c, GLenum, GLint level, GLint, GLsizei width, GLsizei he
   } else if (const uint32_t nothing = reduce(0, format)) {
     std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
-  replace_level(*c.active_unit().texture, level, std::move(to), format);
+  replace_level(c, *c.active_unit().texture, level, std::move(to), format);
 }
 
 void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
@@ -191,21 +195,38 @@ void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei wi
 void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
   c.finish_frame();
+  update_targets(c);
   pipeline::ImageLevel to = make_level(width, height);
   std::fill(to.texels.begin(), to.texels.end(), reduce(0, internal));
   copy_from_surface(c, to, internal, 0, 0, x, y, width, height);
-  replace_level(*c.active_unit().texture, level, std::move(to), internal);
+  replace_level(c, *c.active_unit().texture, level, std::move(to), internal);
 }
 
 void copy_tex_sub_image(Context& c, GLenum, GLint level, GLint xoffset, GLint yoffset, GLint x,
                         GLint y, GLsizei width, GLsizei height) {
   if (width == 0 || height == 0) return;
   c.finish_frame();
+  update_targets(c);
   TextureObject& texture = *c.active_unit().texture;
   const GLenum format = texture.level[static_cast<size_t>(level)].format;
   change_level(c, texture, level, [&](pipeline::ImageLevel& to) {
     copy_from_surface(c, to, format, xoffset, yoffset, x, y, width, height);
   });
+}
+
+// 3.8.8 of EXT_framebuffer_object: the levels above the base, as automatic generation makes them.
+void generate_mipmap(Context& c, GLenum) {
+  TextureObject& texture = *c.active_unit().texture;
+  const TextureLevel base = texture.level[0];
+  if (base.width == 0 || base.height == 0) return;
+  finish_drawing_to(c, texture);
+  Levels levels;
+  levels.push_back(texture.image->levels[0]);
+  add_mipmaps(levels);
+  levels.erase(levels.begin());
+  if (!levels.empty()) {
+    install_levels(c, texture, 1, std::move(levels), base.internal, base.format);
+  }
 }
 
 // Mipmaps are not generated from compressed images (3.7.7).
@@ -229,7 +250,7 @@ void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsi
     indices += (to.texels.size() * static_cast<size_t>(palette.index_bits) + 7) / 8;
     levels.push_back(std::move(to));
   }
-  install_levels(*c.active_unit().texture, 0, std::move(levels), internal, palette.format);
+  install_levels(c, *c.active_unit().texture, 0, std::move(levels), internal, palette.format);
 }
 
 void compressed_tex_sub_image(Context&, GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum,

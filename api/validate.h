@@ -13,6 +13,12 @@ GLenum none(const Context&, const Arguments&...) {
   return GL_NO_ERROR;
 }
 
+// The buffer object bound to a target of buffer objects, or null.
+inline const BufferPtr& bound_buffer(const Context& c, GLenum target) {
+  return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
+                                   : c.state.arrays.element_array_buffer;
+}
+
 // validate_state.cpp
 GLenum hint(const Context&, GLenum target, GLenum mode);
 GLenum enable(const Context&, GLenum cap, bool value);
@@ -73,11 +79,54 @@ GLenum buffer_target(const Context&, GLenum target, GLuint);
 GLenum buffer_data(const Context&, GLenum target, GLsizeiptr size, const void*, GLenum usage);
 GLenum buffer_sub_data(const Context&, GLenum target, GLintptr offset, GLsizeiptr size,
                        const void*);
+GLenum map_buffer(const Context&, GLenum target, GLenum access);
+GLenum map_buffer_range(const Context&, GLenum target, GLintptr offset, GLsizeiptr length,
+                        GLbitfield access);
+GLenum flush_mapped_range(const Context&, GLenum target, GLintptr offset, GLsizeiptr length);
+GLenum unmap_buffer(const Context&, GLenum target);
+GLenum get_buffer_pointer(const Context&, GLenum target, GLenum pname, void**);
+GLenum bind_vertex_array(const Context&, GLuint name);
 GLenum clear(const Context&, GLbitfield mask);
 GLenum read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                    GLenum type, const void*);
 GLenum draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 GLenum draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
+// validate_framebuffer.cpp
+GLenum framebuffer_target(const Context&, GLenum target);
+GLenum framebuffer_target(const Context&, GLenum target, GLuint);
+GLenum renderbuffer_target(const Context&, GLenum target, GLuint);
+GLenum renderbuffer_storage(const Context&, GLenum target, GLenum internal, GLsizei width,
+                            GLsizei height);
+GLenum get_renderbuffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
+GLenum framebuffer_renderbuffer(const Context&, GLenum target, GLenum point,
+                                GLenum renderbuffer_target, GLuint name);
+GLenum framebuffer_texture(const Context&, GLenum target, GLenum point, GLenum texture_target,
+                           GLuint name, GLint level);
+GLenum get_framebuffer_attachment_parameter(const Context&, GLenum target, GLenum point,
+                                            GLenum pname, const GLint*);
+GLenum discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);
+GLenum generate_mipmap(const Context&, GLenum target);
+GLenum multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const GLsizei* count,
+                         GLsizei n);
+GLenum multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
+                           const void* const* indices, GLsizei n);
+// validate_debug.cpp
+GLenum debug_message_control(const Context&, GLenum source, GLenum type, GLenum severity,
+                             GLsizei count, const GLuint* ids, GLboolean);
+GLenum debug_message_insert(const Context&, GLenum source, GLenum type, GLuint, GLenum severity,
+                            GLsizei length, const char* text);
+GLenum get_debug_message_log(const Context&, GLuint, GLsizei size, const GLenum*, const GLenum*,
+                             const GLuint*, const GLenum*, const GLsizei*, const char* text);
+GLenum push_debug_group(const Context&, GLenum source, GLuint, GLsizei length, const char* text);
+GLenum pop_debug_group(const Context&);
+GLenum object_label(const Context&, GLenum identifier, GLuint name, GLsizei length, const char*);
+GLenum get_object_label(const Context&, GLenum identifier, GLuint name, GLsizei size,
+                        const GLsizei*, const char*);
+// No object is named by a pointer: there are no sync objects.
+template <typename... Arguments>
+GLenum sync_label(const Context&, const Arguments&...) {
+  return GL_INVALID_VALUE;
+}
 // queries.cpp
 GLenum get(const Context&, GLenum pname, const Out&);
 GLenum get_string(const Context&, GLenum name);

@@ -1,18 +1,30 @@
 // Validators of vertex arrays, buffer objects, drawing and reading.
 // SPDX-License-Identifier: MIT
+#include "api/framebuffer.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
 
 namespace {
 
-GLenum framebuffer(const pipeline::Target& target) {
-  return target.colour || target.depth_stencil ? GL_NO_ERROR : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+// A vertex array object holds no pointers to client memory (OES_vertex_array_object).
+GLenum array_pointer(const Context& c, const void* pointer) {
+  const ArraysState& a = c.state.arrays;
+  return a.vertex_array != 0 && !a.array_buffer && pointer ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
-const BufferPtr& bound(const Context& c, GLenum target) {
-  return target == GL_ARRAY_BUFFER ? c.state.arrays.array_buffer
-                                   : c.state.arrays.element_array_buffer;
+// Mapped buffers are not drawn from (OES_mapbuffer).
+GLenum arrays_error(const Context& c) {
+  const ArraysState& a = c.state.arrays;
+  const auto mapped = [](const ArrayState& array) {
+    return array.enabled && array.buffer && array.buffer->mapped;
+  };
+  bool any = false;
+  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) {
+    any = any || mapped(*array);
+  }
+  for (const ArrayState& array : a.tex_coord) any = any || mapped(array);
+  return any ? GL_INVALID_OPERATION : draw_framebuffer_error(c);
 }
 
 }  // namespace
@@ -30,27 +42,29 @@ GLenum client_state(const Context&, GLenum array, bool) {
   }
 }
 
-GLenum vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*) {
+GLenum vertex_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                      const void* pointer) {
   if (size < 2 || size > 4 || stride < 0) return GL_INVALID_VALUE;
   if (type != GL_BYTE && type != GL_SHORT && type != GL_FIXED && type != GL_FLOAT) {
     return GL_INVALID_ENUM;
   }
-  return GL_NO_ERROR;
+  return array_pointer(c, pointer);
 }
 
-GLenum color_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*) {
+GLenum color_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                     const void* pointer) {
   if (size != 4 || stride < 0) return GL_INVALID_VALUE;
   if (type != GL_UNSIGNED_BYTE && type != GL_FIXED && type != GL_FLOAT) return GL_INVALID_ENUM;
-  return GL_NO_ERROR;
+  return array_pointer(c, pointer);
 }
 
 GLenum normal_pointer(const Context& c, GLenum type, GLsizei stride, const void* pointer) {
   return vertex_pointer(c, 3, type, stride, pointer);
 }
 
-GLenum point_size_pointer(const Context&, GLenum type, GLsizei stride, const void*) {
+GLenum point_size_pointer(const Context& c, GLenum type, GLsizei stride, const void* pointer) {
   if (type != GL_FIXED && type != GL_FLOAT) return GL_INVALID_ENUM;
-  return stride < 0 ? GL_INVALID_VALUE : GL_NO_ERROR;
+  return stride < 0 ? GL_INVALID_VALUE : array_pointer(c, pointer);
 }
 
 GLenum buffer_target(const Context&, GLenum target, GLuint) {
@@ -62,21 +76,21 @@ GLenum buffer_data(const Context& c, GLenum target, GLsizeiptr size, const void*
   if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
   if (usage != GL_STATIC_DRAW && usage != GL_DYNAMIC_DRAW) return GL_INVALID_ENUM;
   if (size < 0) return GL_INVALID_VALUE;
-  return bound(c, target) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  return bound_buffer(c, target) ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
 GLenum buffer_sub_data(const Context& c, GLenum target, GLintptr offset, GLsizeiptr size,
                        const void*) {
   if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
-  if (!bound(c, target)) return GL_INVALID_OPERATION;
-  const GLsizeiptr whole = static_cast<GLsizeiptr>(bound(c, target)->data->size());
+  if (!bound_buffer(c, target) || bound_buffer(c, target)->mapped) return GL_INVALID_OPERATION;
+  const GLsizeiptr whole = static_cast<GLsizeiptr>(bound_buffer(c, target)->data->size());
   return offset < 0 || size < 0 || offset > whole || size > whole - offset ? GL_INVALID_VALUE
                                                                            : GL_NO_ERROR;
 }
 
 GLenum clear(const Context& c, GLbitfield mask) {
   constexpr GLbitfield kAll = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-  return mask & ~kAll ? GL_INVALID_VALUE : framebuffer(c.draw);
+  return mask & ~kAll ? GL_INVALID_VALUE : draw_framebuffer_error(c);
 }
 
 GLenum read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
@@ -91,14 +105,14 @@ GLenum read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height
     return GL_INVALID_ENUM;
   }
   if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) return GL_INVALID_OPERATION;
-  if (!c.read.colour) return GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  if (const GLenum error = read_framebuffer_error(c)) return error;
   return pixels ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
 GLenum draw_arrays(const Context& c, GLenum mode, GLint first, GLsizei count) {
   if (mode > GL_TRIANGLE_FAN) return GL_INVALID_ENUM;
   if (first < 0 || count < 0) return GL_INVALID_VALUE;
-  return framebuffer(c.draw);
+  return arrays_error(c);
 }
 
 GLenum draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
@@ -109,6 +123,7 @@ GLenum draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
   }
   if (count < 0) return GL_INVALID_VALUE;
   if (const BufferPtr& buffer = c.state.arrays.element_array_buffer) {
+    if (buffer->mapped) return GL_INVALID_OPERATION;
     // Indices past the end of the store are never read.
     const size_t bytes = type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
     const size_t offset = reinterpret_cast<uintptr_t>(indices), size = buffer->data->size();
@@ -116,7 +131,28 @@ GLenum draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
       return GL_INVALID_OPERATION;
     }
   }
-  return framebuffer(c.draw);
+  return arrays_error(c);
+}
+
+// As so many single draws, those with nothing to draw left out; none is drawn if one may not be.
+GLenum multi_draw_arrays(const Context& c, GLenum mode, const GLint* first, const GLsizei* count,
+                         GLsizei n) {
+  if (n < 0) return GL_INVALID_VALUE;
+  GLenum error = draw_arrays(c, mode, 0, 0);
+  for (GLsizei i = 0; i < n && error == GL_NO_ERROR; ++i) {
+    if (count[i] > 0) error = draw_arrays(c, mode, first[i], count[i]);
+  }
+  return error;
+}
+
+GLenum multi_draw_elements(const Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                           const void* const* indices, GLsizei n) {
+  if (n < 0) return GL_INVALID_VALUE;
+  GLenum error = draw_elements(c, mode, 0, type, nullptr);
+  for (GLsizei i = 0; i < n && error == GL_NO_ERROR; ++i) {
+    if (count[i] > 0) error = draw_elements(c, mode, count[i], type, indices[i]);
+  }
+  return error;
 }
 
 }  // namespace clearpipe::api::validate

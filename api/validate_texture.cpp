@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/validate.h"
 
@@ -39,9 +40,9 @@ GLenum format_and_type(GLenum format, GLenum type) {
 
 // Table 3.9: the surface must have the components the texture wants.
 GLenum copied_format(const Context& c, GLenum format) {
-  if (!c.read.colour) return GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  if (const GLenum error = read_framebuffer_error(c)) return error;
   const bool wants_alpha = format == GL_ALPHA || format == GL_LUMINANCE_ALPHA || format == GL_RGBA;
-  return wants_alpha && !c.read.colour->has_alpha ? GL_INVALID_OPERATION : GL_NO_ERROR;
+  return wants_alpha && !read_target(c).colour->has_alpha ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 bool is_operand(GLenum operand, bool alpha_only) {

@@ -14,27 +14,30 @@
 namespace clearpipe::pipeline {
 
 // Tiles that hold one value throughout, written down instead of stored: a cleared tile costs no
-// memory traffic until it is drawn to or read (merge/).
+// memory traffic until it is drawn to or read (merge/). Buffers over the same memory share them; a
+// buffer without any stores every tile, as one over a texture must.
 struct UniformTiles {
-  std::vector<uint8_t> is_uniform;  // by tile, row-major; empty: every tile is stored
+  std::vector<uint8_t> is_uniform;  // by tile, row-major
   std::vector<uint32_t> value;
 };
 
-// The pixels as they are kept. Colour is always held as RGBA8; a config with fewer bits is held in
-// the same memory, with every write rounded to what its bits can say.
+// The pixels as they are kept. Colour is always held as RGBA8. The memory may be that of a texture
+// level, which then is drawn to and sampled without a copy: `pixels` keeps the image alive.
 struct ColourBuffer {
   int width = 0, height = 0;
-  std::unique_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
+  std::shared_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
   bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
-  UniformTiles uniform;
+  std::shared_ptr<UniformTiles> uniform;
 };
 
-// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8.
+// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8. What the buffer does
+// not have is left as it is: another buffer may have it in the same memory.
 struct DepthStencilBuffer {
   int width = 0, height = 0;
   bool has_depth = true, has_stencil = true;
-  std::unique_ptr<uint32_t[]> values;
-  UniformTiles uniform;
+  std::shared_ptr<uint32_t[]> values;
+  std::shared_ptr<UniformTiles> uniform;
+  bool partial_view = false;  // the memory holds planes that this buffer does not have
 };
 
 // Stores what is only written down, so that `pixels` can be read: before any look at them from
@@ -51,6 +54,9 @@ struct Target {
   std::shared_ptr<ColourBuffer> colour;
   std::shared_ptr<DepthStencilBuffer> depth_stencil;
   int width = 0, height = 0;
+  // Whether coverage is found with y counted from the top, as Mesa does for window-system surfaces;
+  // framebuffer objects count from the bottom (docs/architecture.md, "Mesa's coverage").
+  bool mirrored = true;
 };
 
 }  // namespace clearpipe::pipeline

@@ -16,6 +16,26 @@ void load(Function& function, void* (*find)(const char*), const char* name) {
   function = reinterpret_cast<Function>(find(name));
 }
 
+// Framebuffer objects are core commands of the desktop, with the same enumerants.
+void load_framebuffer_objects(void* (*find)(const char*)) {
+  load(desktop.IsRenderbufferOES, find, "glIsRenderbuffer");
+  load(desktop.BindRenderbufferOES, find, "glBindRenderbuffer");
+  load(desktop.DeleteRenderbuffersOES, find, "glDeleteRenderbuffers");
+  load(desktop.GenRenderbuffersOES, find, "glGenRenderbuffers");
+  load(desktop.RenderbufferStorageOES, find, "glRenderbufferStorage");
+  load(desktop.GetRenderbufferParameterivOES, find, "glGetRenderbufferParameteriv");
+  load(desktop.IsFramebufferOES, find, "glIsFramebuffer");
+  load(desktop.BindFramebufferOES, find, "glBindFramebuffer");
+  load(desktop.DeleteFramebuffersOES, find, "glDeleteFramebuffers");
+  load(desktop.GenFramebuffersOES, find, "glGenFramebuffers");
+  load(desktop.CheckFramebufferStatusOES, find, "glCheckFramebufferStatus");
+  load(desktop.FramebufferRenderbufferOES, find, "glFramebufferRenderbuffer");
+  load(desktop.FramebufferTexture2DOES, find, "glFramebufferTexture2D");
+  load(desktop.GetFramebufferAttachmentParameterivOES, find,
+       "glGetFramebufferAttachmentParameteriv");
+  load(desktop.GenerateMipmapOES, find, "glGenerateMipmap");
+}
+
 // The commands whose float form takes doubles on the desktop.
 void translate_doubles(Gl& gl) {
   gl.Frustumf = [](GLfloat l, GLfloat r, GLfloat b, GLfloat t, GLfloat n, GLfloat f) {
@@ -47,6 +67,7 @@ Gl gles1_on_gl(void* (*find)(const char* name)) {
   load(desktop.BlendFuncSeparateOES, find, "glBlendFuncSeparate");
   load(desktop.BlendEquationOES, find, "glBlendEquation");
   load(desktop.BlendEquationSeparateOES, find, "glBlendEquationSeparate");
+  load_framebuffer_objects(find);
   Gl gl = desktop;
   translate_doubles(gl);
   translate_fixed(gl);

@@ -103,10 +103,13 @@ struct Frame::Impl {
     return program.get();
   }
 
-  // Window y is computed as Mesa does for window-system surfaces, counting from the top; setup
+  // Window y of window-system surfaces is computed as Mesa does, counting from the top; setup
   // mirrors the snapped value (docs/architecture.md, "Mesa's coverage").
-  Viewport mirrored_viewport() const {
+  Viewport target_viewport() const {
     Viewport viewport = raster_state.viewport;
+    if (!target.mirrored) {
+      return viewport;
+    }
     viewport.scale_y = -viewport.scale_y;
     viewport.centre_y = static_cast<float>(target.height) - viewport.centre_y;
     return viewport;
@@ -124,10 +127,10 @@ struct Frame::Impl {
     draw.setup.bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
     draw.setup.inputs = draw.program->inputs;
     draw.setup.inputs.texture_units &= draw.setup.layout.texture_units;
-    draw.setup.mirror_height = target.height;
+    draw.setup.mirror_height = target.mirrored ? target.height : 0;
     draw.setup.two_sided = draw.setup.layout.back_colour_offset != 0;
     draw.clip.layout = draw.setup.layout;
-    draw.clip.viewport = mirrored_viewport();
+    draw.clip.viewport = target_viewport();
     draw.clip.guard = make_guard_band(draw.clip.viewport);
     draw.clip.flat_shade = raster_state.flat_shade;
     if (draw.setup.bounds.x0 >= draw.setup.bounds.x1 ||
@@ -193,7 +196,7 @@ Frame::~Frame() = default;
 void Frame::set_target(const Target& target) {
   if (target.colour == impl_->target.colour &&
       target.depth_stencil == impl_->target.depth_stencil && target.width == impl_->target.width &&
-      target.height == impl_->target.height) {
+      target.height == impl_->target.height && target.mirrored == impl_->target.mirrored) {
     return;
   }
   finish();
@@ -240,7 +243,7 @@ bool Frame::clear(const ClearCommand& command) try {
     }
   }
   // Bits that the buffer does not have may be cleared with the others: again a plain fill.
-  if (const auto& planes = impl_->target.depth_stencil) {
+  if (const auto& planes = impl_->target.depth_stencil; planes && !planes->partial_view) {
     if (clear.depth && !planes->has_stencil) {
       clear.stencil = true;
       clear.stencil_mask = 0xff;

@@ -54,10 +54,13 @@ void fill_plane(uint32_t* plane, const Rect& part, uint32_t value, uint32_t mask
   }
 }
 
-UniformTiles no_uniform_tiles(int width, int height) {
+std::shared_ptr<UniformTiles> no_uniform_tiles(int width, int height) {
   const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
   const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
-  return {std::vector<uint8_t>(columns * rows), std::vector<uint32_t>(columns * rows)};
+  auto tiles = std::make_shared<UniformTiles>();
+  tiles->is_uniform.resize(columns * rows);
+  tiles->value.resize(columns * rows);
+  return tiles;
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   buffer->has_alpha = has_alpha;
   buffer->uniform = no_uniform_tiles(width, height);
   const size_t count = static_cast<size_t>(width) * height;
-  buffer->pixels = std::make_unique<uint32_t[]>(count);
+  buffer->pixels = std::make_shared<uint32_t[]>(count);
   if (!has_alpha) {
     std::fill_n(buffer->pixels.get(), count, 0xff000000u);
   }
@@ -86,7 +89,7 @@ std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int hei
   buffer->has_depth = has_depth;
   buffer->has_stencil = has_stencil;
   buffer->uniform = no_uniform_tiles(width, height);
-  buffer->values = std::make_unique<uint32_t[]>(static_cast<size_t>(width) * height);
+  buffer->values = std::make_shared<uint32_t[]>(static_cast<size_t>(width) * height);
   return buffer;
 } catch (const std::bad_alloc&) {
   return nullptr;
@@ -97,7 +100,7 @@ TilePlane::TilePlane(uint32_t* plane, int width, int height, UniformTiles* unifo
     : plane_(plane),
       width_(width),
       height_(height),
-      uniform_(uniform != nullptr && !uniform->is_uniform.empty() ? uniform : nullptr),
+      uniform_(uniform),
       tile_index_(static_cast<size_t>(tile_index)),
       tile_(tile),
       out_(out) {
@@ -139,25 +142,28 @@ TilePlanes::TilePlanes(const Target& target, Tile& tile, int tile_index)
     : tile_(tile),
       colour_(target.colour ? target.colour->pixels.get() : nullptr,
               target.colour ? target.colour->width : 0, target.colour ? target.colour->height : 0,
-              target.colour ? &target.colour->uniform : nullptr, tile_index, tile, tile.colour),
+              target.colour ? target.colour->uniform.get() : nullptr, tile_index, tile,
+              tile.colour),
       depth_stencil_(target.depth_stencil ? target.depth_stencil->values.get() : nullptr,
                      target.depth_stencil ? target.depth_stencil->width : 0,
                      target.depth_stencil ? target.depth_stencil->height : 0,
-                     target.depth_stencil ? &target.depth_stencil->uniform : nullptr, tile_index,
-                     tile, tile.depth_stencil) {}
+                     target.depth_stencil ? target.depth_stencil->uniform.get() : nullptr,
+                     tile_index, tile, tile.depth_stencil) {}
 
 void store_uniform_tiles(ColourBuffer& buffer) {
+  if (!buffer.uniform) return;
+  UniformTiles& tiles = *buffer.uniform;
   const int columns = (buffer.width + kTileWidth - 1) / kTileWidth;
-  for (size_t i = 0; i < buffer.uniform.is_uniform.size(); ++i) {
-    if (buffer.uniform.is_uniform[i] == 0) continue;
-    buffer.uniform.is_uniform[i] = 0;
+  for (size_t i = 0; i < tiles.is_uniform.size(); ++i) {
+    if (tiles.is_uniform[i] == 0) continue;
+    tiles.is_uniform[i] = 0;
     const int x = static_cast<int>(i) % columns * kTileWidth;
     const int y = static_cast<int>(i) / columns * kTileHeight;
     const int width = std::min(buffer.width - x, kTileWidth);
     const int end = std::min(buffer.height, y + kTileHeight);
     for (int row = y; row < end; ++row) {
       std::fill_n(buffer.pixels.get() + static_cast<size_t>(row) * buffer.width + x, width,
-                  buffer.uniform.value[i]);
+                  tiles.value[i]);
     }
   }
 }

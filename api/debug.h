@@ -1,0 +1,90 @@
+// Debug output (KHR_debug, chapter 5.5): messages, whom they go to, and which are wanted.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "api/khr_debug.h"
+
+namespace clearpipe::api {
+
+struct Context;
+
+using DebugCallback = void(GL_APIENTRY*)(GLenum source, GLenum type, GLuint id, GLenum severity,
+                                         GLsizei length, const char* message, const void* user);
+
+struct DebugMessage {
+  GLenum source = 0, type = 0;
+  GLuint id = 0;
+  GLenum severity = 0;
+  std::string text;
+};
+
+// One DebugMessageControl: what it refers to (DONT_CARE: all), and whether that is wanted. The
+// last that refers to a message decides.
+struct DebugRule {
+  GLenum source = GL_DONT_CARE, type = GL_DONT_CARE, severity = GL_DONT_CARE;
+  std::vector<GLuint> ids;  // none: all
+  bool enabled = true;
+};
+
+// A debug group inherits the rules of the one below it.
+struct DebugGroup {
+  GLenum source = 0;
+  GLuint id = 0;
+  std::string text;
+  std::vector<DebugRule> rules;
+};
+
+struct DebugState {
+  bool output = false;
+  bool synchronous = false;  // messages always come before the call returns, on its thread
+  DebugCallback callback = nullptr;
+  const void* user_param = nullptr;
+  std::deque<DebugMessage> log;
+  std::vector<DebugGroup> groups = std::vector<DebugGroup>(1);  // the first is the default group
+  std::vector<std::string> markers;                             // the groups of EXT_debug_marker
+  bool delivering = false;            // what a callback causes by calls of its own is not reported
+  std::vector<DebugMessage> waiting;  // made under the lock of the share group, not yet delivered
+};
+
+// The object's label, or null: there is none of that name.
+std::string* find_label(Context& context, GLenum identifier, GLuint name);
+
+// Takes a message to be delivered at the end of the call, if it is wanted.
+void add_message(Context& context, DebugMessage message);
+
+// Delivers what waits: to the callback, else to the log. Without the lock of the share group, since
+// applications do what they like in a callback.
+void deliver_messages(Context& context) noexcept;
+
+// Makes the message of an error that a call generated. `names` and `values` are its arguments.
+bool wants_errors(const Context& context);
+void add_error_message(Context& context, const char* call, std::string_view names,
+                       const std::vector<std::string>& values, GLenum error);
+
+// An argument of a call as text; "..." for what has none.
+std::string signed_text(long long value);
+std::string unsigned_text(unsigned long long value);
+std::string number_text(double value);
+std::string pointer_text(const void* value);
+template <typename Argument>
+std::string argument_text(const Argument& value) {
+  if constexpr (std::is_floating_point_v<Argument>) {
+    return number_text(static_cast<double>(value));
+  } else if constexpr (std::is_integral_v<Argument> && std::is_signed_v<Argument>) {
+    return signed_text(value);
+  } else if constexpr (std::is_integral_v<Argument>) {
+    return unsigned_text(value);
+  } else if constexpr (std::is_convertible_v<Argument, const void*>) {
+    return pointer_text(value);
+  } else {
+    return "...";
+  }
+}
+
+}  // namespace clearpipe::api

@@ -1,0 +1,270 @@
+// Debug output (KHR_debug), markers (EXT_debug_marker) and contexts without errors (KHR_no_error).
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include "api/call_fixture.h"
+#include "api/khr_debug.h"
+
+// The system's header has no prototypes of KHR_debug.
+#define CALL(type, name, parameters, ...) extern "C" type GL_APIENTRY gl##name parameters;
+#include "api/gles1.def"
+#undef CALL
+
+namespace clearpipe::api {
+namespace {
+
+constexpr GLenum kApplication = GL_DEBUG_SOURCE_APPLICATION_KHR;
+constexpr GLenum kOther = GL_DEBUG_TYPE_OTHER_KHR, kHigh = GL_DEBUG_SEVERITY_HIGH_KHR,
+                 kLow = GL_DEBUG_SEVERITY_LOW_KHR;
+
+class Debug : public CallTest {
+ protected:
+  struct Seen {
+    GLenum source, type;
+    GLuint id;
+    GLenum severity;
+    std::string text;
+  };
+  static void GL_APIENTRY callback(GLenum source, GLenum type, GLuint id, GLenum severity,
+                                   GLsizei length, const char* message, const void* user) {
+    auto& seen = *static_cast<std::vector<Seen>*>(const_cast<void*>(user));
+    seen.push_back({source, type, id, severity, {message, static_cast<size_t>(length)}});
+    glIsTexture(1);  // not allowed, and yet it must not hang
+  }
+  void listen() {
+    glEnable(GL_DEBUG_OUTPUT_KHR);
+    glDebugMessageCallbackKHR(callback, &seen_);
+  }
+  static void insert(GLuint id, GLenum severity, const char* text) {
+    glDebugMessageInsertKHR(kApplication, kOther, id, severity, -1, text);
+  }
+  static GLint get(GLenum name) {
+    GLint value = -1;
+    glGetIntegerv(name, &value);
+    return value;
+  }
+  std::string take() {  // the oldest logged message
+    char text[128] = "none";
+    glGetDebugMessageLogKHR(1, sizeof text, nullptr, nullptr, nullptr, nullptr, nullptr, text);
+    return text;
+  }
+  std::vector<Seen> seen_;
+};
+
+TEST_F(Debug, AnErrorComesWithItsCallAndArguments) {
+  listen();
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_LINEAR);
+  glScissor(0, 0, -3, 4);
+  glClearColor(0, 0, 0, 0);
+  ASSERT_EQ(seen_.size(), 2u);
+  EXPECT_EQ(seen_[0].source, static_cast<GLenum>(GL_DEBUG_SOURCE_API_KHR));
+  EXPECT_EQ(seen_[0].type, static_cast<GLenum>(GL_DEBUG_TYPE_ERROR_KHR));
+  EXPECT_EQ(seen_[0].severity, kHigh);
+  EXPECT_EQ(seen_[0].id, static_cast<GLuint>(GL_INVALID_ENUM));
+  EXPECT_EQ(
+      seen_[0].text.find("GL_INVALID_ENUM in glTexParameteri(target = 0x0DE1, pname = 0x2802"), 0u)
+      << seen_[0].text;
+  EXPECT_EQ(
+      seen_[1].text.find("GL_INVALID_VALUE in glScissor(x = 0, y = 0, width = -3, height = 4)"), 0u)
+      << seen_[1].text;
+  EXPECT_ERROR(GL_INVALID_ENUM);
+}
+
+TEST_F(Debug, NothingIsSaidWhileDisabled) {
+  glDebugMessageCallbackKHR(callback, &seen_);
+  EXPECT_FALSE(glIsEnabled(GL_DEBUG_OUTPUT_KHR));
+  glScissor(0, 0, -3, 4);
+  insert(1, kHigh, "lost");
+  EXPECT_TRUE(seen_.empty());
+  EXPECT_ERROR(GL_INVALID_VALUE);
+  Context* debugged = create_context(nullptr, {true, false});
+  make_current(debugged, target_, target_);
+  EXPECT_TRUE(glIsEnabled(GL_DEBUG_OUTPUT_KHR));
+  make_current(context_, target_, target_);
+  destroy_context(debugged);
+}
+
+TEST_F(Debug, WithoutACallbackMessagesAreLogged) {
+  glEnable(GL_DEBUG_OUTPUT_KHR);
+  insert(1, kHigh, "first");
+  glDebugMessageInsertKHR(kApplication, kOther, 2, kHigh, 3, "second");
+  EXPECT_EQ(get(GL_DEBUG_LOGGED_MESSAGES_KHR), 2);
+  EXPECT_EQ(get(GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH_KHR), 6);
+  GLenum sources[3], types[3], severities[3];
+  GLuint ids[3];
+  GLsizei lengths[3];
+  char text[16];
+  EXPECT_EQ(glGetDebugMessageLogKHR(3, 9, sources, types, ids, severities, lengths, text), 1u);
+  EXPECT_STREQ(text, "first");
+  EXPECT_EQ(lengths[0], 6);
+  EXPECT_EQ(ids[0], 1u);
+  EXPECT_EQ(sources[0], kApplication);
+  EXPECT_EQ(take(), "sec");
+  EXPECT_EQ(get(GL_DEBUG_LOGGED_MESSAGES_KHR), 0);
+  for (GLuint i = 0; i < 200; ++i) insert(i, kHigh, "many");
+  EXPECT_EQ(get(GL_DEBUG_LOGGED_MESSAGES_KHR), get(GL_MAX_DEBUG_LOGGED_MESSAGES_KHR));
+  EXPECT_EQ(glGetDebugMessageLogKHR(500, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+            static_cast<GLuint>(get(GL_MAX_DEBUG_LOGGED_MESSAGES_KHR)));
+  glGetDebugMessageLogKHR(1, -1, nullptr, nullptr, nullptr, nullptr, nullptr, text);
+  EXPECT_ERROR(GL_INVALID_VALUE);
+}
+
+TEST_F(Debug, MessagesAreControlled) {
+  listen();
+  insert(1, kLow, "not at first");
+  glDebugMessageControlKHR(GL_DONT_CARE, GL_DONT_CARE, kLow, 0, nullptr, GL_TRUE);
+  insert(1, kLow, "low");
+  const GLuint ids[] = {7, 8};
+  glDebugMessageControlKHR(kApplication, kOther, GL_DONT_CARE, 2, ids, GL_FALSE);
+  insert(7, kHigh, "disabled");
+  insert(9, kHigh, "high");
+  glDebugMessageControlKHR(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  insert(9, kHigh, "disabled");
+  ASSERT_EQ(seen_.size(), 2u);
+  EXPECT_EQ(seen_[0].text, "low");
+  EXPECT_EQ(seen_[1].text, "high");
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
+TEST_F(Debug, GroupsNestAndRestoreControl) {
+  listen();
+  glPushDebugGroupKHR(kApplication, 5, -1, "shadow pass");
+  glDebugMessageControlKHR(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  insert(1, kHigh, "disabled");
+  EXPECT_EQ(get(GL_DEBUG_GROUP_STACK_DEPTH_KHR), 2);
+  glPopDebugGroupKHR();
+  insert(1, kHigh, "enabled");
+  ASSERT_EQ(seen_.size(), 3u);
+  EXPECT_EQ(seen_[0].type, static_cast<GLenum>(GL_DEBUG_TYPE_PUSH_GROUP_KHR));
+  EXPECT_EQ(seen_[1].type, static_cast<GLenum>(GL_DEBUG_TYPE_POP_GROUP_KHR));
+  EXPECT_EQ(seen_[1].text, "shadow pass");
+  EXPECT_EQ(seen_[1].id, 5u);
+  glPopDebugGroupKHR();
+  EXPECT_ERROR(GL_STACK_UNDERFLOW);
+  for (GLint i = 1; i < get(GL_MAX_DEBUG_GROUP_STACK_DEPTH_KHR); ++i) {
+    glPushDebugGroupKHR(kApplication, 0, 1, "g");
+  }
+  EXPECT_ERROR(GL_NO_ERROR);
+  glPushDebugGroupKHR(kApplication, 0, 1, "g");
+  EXPECT_ERROR(GL_STACK_OVERFLOW);
+}
+
+TEST_F(Debug, Errors) {
+  glEnable(GL_DEBUG_OUTPUT_KHR);
+  glDebugMessageInsertKHR(GL_DEBUG_SOURCE_API_KHR, kOther, 0, kHigh, 1, "x");
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  glDebugMessageInsertKHR(kApplication, GL_DEBUG_TYPE_PUSH_GROUP_KHR, 0, kHigh, 1, "x");
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  glDebugMessageInsertKHR(kApplication, kOther, 0, 0, 1, "x");
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  const std::string longest(4095, 'x'), too_long(4096, 'x');
+  insert(0, kHigh, longest.c_str());
+  EXPECT_ERROR(GL_NO_ERROR);
+  insert(0, kHigh, too_long.c_str());
+  EXPECT_ERROR(GL_INVALID_VALUE);
+  glPushDebugGroupKHR(GL_DEBUG_SOURCE_API_KHR, 0, 1, "x");
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  glPushDebugGroupKHR(kApplication, 0, -1, too_long.c_str());
+  EXPECT_ERROR(GL_INVALID_VALUE);
+  const GLuint id = 1;
+  glDebugMessageControlKHR(0, kOther, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  glDebugMessageControlKHR(GL_DONT_CARE, kOther, GL_DONT_CARE, 1, &id, GL_TRUE);
+  EXPECT_ERROR(GL_INVALID_OPERATION);
+  glDebugMessageControlKHR(kApplication, kOther, kHigh, 1, &id, GL_TRUE);
+  EXPECT_ERROR(GL_INVALID_OPERATION);
+  glDebugMessageControlKHR(kApplication, kOther, GL_DONT_CARE, -1, &id, GL_TRUE);
+  EXPECT_ERROR(GL_INVALID_VALUE);
+  glObjectPtrLabelKHR(&id, 1, "x");
+  EXPECT_ERROR(GL_INVALID_VALUE);
+}
+
+TEST_F(Debug, ObjectsHaveLabels) {
+  const GLuint texture = one_colour_texture(kRed);
+  GLuint array = 0;
+  glGenVertexArraysOES(1, &array);
+  glBindVertexArrayOES(array);
+  glBindBuffer(GL_ARRAY_BUFFER, 3);
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, 4);
+  glBindRenderbufferOES(GL_RENDERBUFFER_OES, 5);
+  const std::pair<GLenum, GLuint> objects[] = {{GL_TEXTURE, texture},
+                                               {GL_VERTEX_ARRAY_KHR, array},
+                                               {GL_BUFFER_KHR, 3},
+                                               {GL_FRAMEBUFFER_OES, 4},
+                                               {GL_RENDERBUFFER_OES, 5}};
+  for (const auto& [kind, name] : objects) {
+    char text[16] = "?";
+    GLsizei length = -1;
+    glGetObjectLabelKHR(kind, name, sizeof text, &length, text);
+    EXPECT_STREQ(text, "");
+    glObjectLabelKHR(kind, name, -1, "sky dome");
+    glGetObjectLabelKHR(kind, name, 4, &length, text);
+    EXPECT_STREQ(text, "sky");
+    EXPECT_EQ(length, 3);
+    glGetObjectLabelKHR(kind, name, 0, &length, nullptr);
+    EXPECT_EQ(length, 8);
+    glObjectLabelKHR(kind, name, 0, nullptr);
+    glGetObjectLabelKHR(kind, name, 4, &length, text);
+    EXPECT_EQ(length, 0);
+    EXPECT_ERROR(GL_NO_ERROR);
+    glObjectLabelKHR(kind, name + 100, -1, "x");
+    EXPECT_ERROR(GL_INVALID_VALUE);
+    glObjectLabelKHR(kind, name, -1, std::string(256, 'x').c_str());
+    EXPECT_ERROR(GL_INVALID_VALUE);
+  }
+  glObjectLabelKHR(GL_TEXTURE_2D, texture, -1, "x");
+  EXPECT_ERROR(GL_INVALID_ENUM);
+  glObjectLabelKHR(GL_SHADER_KHR, 1, -1, "x");
+  EXPECT_ERROR(GL_INVALID_VALUE);
+}
+
+TEST_F(Debug, Pointers) {
+  listen();
+  void* pointer = nullptr;
+  glGetPointervKHR(GL_DEBUG_CALLBACK_FUNCTION_KHR, &pointer);
+  EXPECT_EQ(pointer, reinterpret_cast<void*>(&callback));
+  glGetPointerv(GL_DEBUG_CALLBACK_USER_PARAM_KHR, &pointer);
+  EXPECT_EQ(pointer, &seen_);
+}
+
+TEST_F(Debug, MarkersAreMessages) {
+  listen();
+  glPushGroupMarkerEXT(0, "frame");
+  glInsertEventMarkerEXT(3, "skyline");
+  glPopGroupMarkerEXT();
+  glPopGroupMarkerEXT();  // none to pop: ignored
+  ASSERT_EQ(seen_.size(), 3u);
+  EXPECT_EQ(seen_[0].text, "frame");
+  EXPECT_EQ(seen_[1].text, "sky");
+  EXPECT_EQ(seen_[1].type, static_cast<GLenum>(GL_DEBUG_TYPE_MARKER_KHR));
+  EXPECT_EQ(seen_[2].text, "frame");
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
+TEST_F(Debug, ACallbackThatCausesErrorsEnds) {
+  static int calls;
+  calls = 0;
+  glEnable(GL_DEBUG_OUTPUT_KHR);
+  glDebugMessageCallbackKHR([](GLenum, GLenum, GLuint, GLenum, GLsizei, const char*,
+                               const void*) { ++calls, glScissor(0, 0, -1, -1); },
+                            nullptr);
+  glScissor(0, 0, -1, -1);
+  glScissor(0, 0, -1, -1);
+  EXPECT_EQ(calls, 2);
+}
+
+// Nothing is reported, and what is wrong still does nothing.
+TEST_F(Debug, ContextsWithoutErrors) {
+  Context* quiet = create_context(nullptr, {false, true});
+  make_current(quiet, target_, target_);
+  glScissor(1, 1, -3, 4);
+  EXPECT_ERROR(GL_NO_ERROR);
+  GLint box[4] = {};
+  glGetIntegerv(GL_SCISSOR_BOX, box);
+  EXPECT_EQ(box[2], kSize);
+  make_current(context_, target_, target_);
+  destroy_context(quiet);
+}
+
+}  // namespace
+}  // namespace clearpipe::api

@@ -1,0 +1,148 @@
+// Framebuffer and renderbuffer objects (OES_framebuffer_object; sections are those of
+// EXT_framebuffer_object).
+// SPDX-License-Identifier: MIT
+#include <new>
+
+#include "api/exec.h"
+#include "api/framebuffer.h"
+#include "api/renderbuffer_format.h"
+
+namespace clearpipe::api::exec {
+
+namespace {
+
+void attach(Context& c, GLenum point, const Attachment& attachment) {
+  // What was drawn to the former image is in it before anyone looks.
+  c.finish_frame();
+  *attachment_point(*c.framebuffer, point) = attachment;
+}
+
+}  // namespace
+
+GLboolean is_renderbuffer(Context& c, GLuint name) {
+  return c.share->renderbuffers.find(name) != nullptr;
+}
+
+void bind_renderbuffer(Context& c, GLenum, GLuint name) {
+  c.renderbuffer = name == 0 ? nullptr : c.share->renderbuffers.bind(name);
+}
+
+void gen_renderbuffers(Context& c, GLsizei n, GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) names[i] = c.share->renderbuffers.generate();
+}
+
+void delete_renderbuffers(Context& c, GLsizei n, const GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) {
+    const RenderbufferPtr renderbuffer = c.share->renderbuffers.find(names[i]);
+    detach(c, renderbuffer);
+    if (c.renderbuffer == renderbuffer) c.renderbuffer = nullptr;
+    c.share->renderbuffers.erase(names[i]);
+  }
+}
+
+void renderbuffer_storage(Context& c, GLenum, GLenum internal, GLsizei width, GLsizei height) {
+  const RenderbufferFormat format = renderbuffer_format(internal);
+  std::shared_ptr<pipeline::ColourBuffer> colour;
+  std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
+  if (width > 0 && height > 0) {
+    if (format.colour) colour = pipeline::make_colour_buffer(width, height, format.alpha);
+    if (!format.colour) {
+      depth_stencil =
+          pipeline::make_depth_stencil_buffer(width, height, format.depth, format.stencil);
+    }
+    if (!colour && !depth_stencil) throw std::bad_alloc();
+  }
+  RenderbufferObject& r = *c.renderbuffer;
+  r.width = width;
+  r.height = height;
+  r.internal = internal;
+  r.colour = std::move(colour);
+  r.depth_stencil = std::move(depth_stencil);
+}
+
+void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params) {
+  const RenderbufferObject& r = *c.renderbuffer;
+  // Before there is storage, there are no components (table 8.nnn).
+  const RenderbufferFormat format =
+      r.colour || r.depth_stencil ? renderbuffer_format(r.internal) : RenderbufferFormat();
+  switch (pname) {
+    case GL_RENDERBUFFER_WIDTH_OES:
+      *params = r.width;
+      break;
+    case GL_RENDERBUFFER_HEIGHT_OES:
+      *params = r.height;
+      break;
+    case GL_RENDERBUFFER_INTERNAL_FORMAT_OES:
+      *params = static_cast<GLint>(r.internal);
+      break;
+    case GL_RENDERBUFFER_ALPHA_SIZE_OES:
+      *params = format.alpha ? 8 : 0;
+      break;
+    case GL_RENDERBUFFER_DEPTH_SIZE_OES:
+      *params = format.depth ? 24 : 0;
+      break;
+    case GL_RENDERBUFFER_STENCIL_SIZE_OES:
+      *params = format.stencil ? 8 : 0;
+      break;
+    default:
+      *params = format.colour ? 8 : 0;
+      break;
+  }
+}
+
+GLboolean is_framebuffer(Context& c, GLuint name) {
+  return c.share->framebuffers.find(name) != nullptr;
+}
+
+void bind_framebuffer(Context& c, GLenum, GLuint name) {
+  c.framebuffer = name == 0 ? nullptr : c.share->framebuffers.bind(name);
+  use_targets(c, draw_target(c), read_target(c));
+}
+
+void gen_framebuffers(Context& c, GLsizei n, GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) names[i] = c.share->framebuffers.generate();
+}
+
+void delete_framebuffers(Context& c, GLsizei n, const GLuint* names) {
+  for (GLsizei i = 0; i < n; ++i) {
+    const FramebufferPtr framebuffer = c.share->framebuffers.find(names[i]);
+    c.share->framebuffers.erase(names[i]);
+    if (framebuffer && c.framebuffer == framebuffer) bind_framebuffer(c, GL_FRAMEBUFFER_OES, 0);
+  }
+}
+
+GLenum check_framebuffer_status(Context& c, GLenum) { return framebuffer_status(c); }
+
+void framebuffer_renderbuffer(Context& c, GLenum, GLenum point, GLenum, GLuint name) {
+  attach(c, point, {c.share->renderbuffers.find(name), nullptr, 0});
+}
+
+void framebuffer_texture(Context& c, GLenum, GLenum point, GLenum, GLuint name, GLint level) {
+  TexturePtr texture = c.share->textures.find(name);
+  attach(c, point, {nullptr, texture, texture ? level : 0});
+}
+
+void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLenum pname,
+                                          GLint* params) {
+  const Attachment& a = *attachment_point(*c.framebuffer, point);
+  switch (pname) {
+    case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES:
+      *params = a.renderbuffer ? GL_RENDERBUFFER_OES : a.texture ? GL_TEXTURE : GL_NONE_OES;
+      break;
+    case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_OES:
+      *params = static_cast<GLint>(a.renderbuffer ? a.renderbuffer->name : a.texture->name);
+      break;
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES:
+      *params = a.level;
+      break;
+    default:
+      *params = 0;  // the face: not a cube map
+      break;
+  }
+}
+
+// The contents become undefined: they may as well stay (EXT_discard_framebuffer). Tiles are not
+// stored before a frame is executed, and nothing says that nothing will be drawn after this.
+void discard_framebuffer(Context&, GLenum, GLsizei, const GLenum*) {}
+
+}  // namespace clearpipe::api::exec

@@ -1,0 +1,215 @@
+// See framebuffer.h. Sections are those of EXT_framebuffer_object, which OES_framebuffer_object
+// refers to.
+// SPDX-License-Identifier: MIT
+#include "api/framebuffer.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+// The image of an attachment: its size, and what it may be used as.
+struct AttachedImage {
+  bool present = false;
+  int width = 0, height = 0;
+  bool colour = false, depth = false, stencil = false;
+};
+
+AttachedImage image_of(const Attachment& a) {
+  AttachedImage image;
+  if (a.renderbuffer) {
+    const RenderbufferObject& r = *a.renderbuffer;
+    image = {true, r.width, r.height, r.colour != nullptr, false, false};
+    image.depth = r.depth_stencil && r.depth_stencil->has_depth;
+    image.stencil = r.depth_stencil && r.depth_stencil->has_stencil;
+  } else if (a.texture) {
+    const TextureLevel& level = a.texture->level[static_cast<size_t>(a.level)];
+    // RGB and RGBA are colour-renderable; compressed images are not.
+    const bool colour =
+        level.internal == level.format && (level.format == GL_RGB || level.format == GL_RGBA);
+    image = {true, level.width, level.height, colour, false, false};
+  }
+  return image;
+}
+
+// 4.4.4.1: framebuffer attachment completeness.
+bool is_attachment_complete(const AttachedImage& image, bool fits) {
+  return !image.present || (image.width > 0 && image.height > 0 && fits);
+}
+
+// 4.4.4.2: framebuffer completeness. Depth and stencil must be one image.
+GLenum status_of(const FramebufferObject& f) {
+  const AttachedImage colour = image_of(f.colour), depth = image_of(f.depth),
+                      stencil = image_of(f.stencil);
+  if (!is_attachment_complete(colour, colour.colour) ||
+      !is_attachment_complete(depth, depth.depth) ||
+      !is_attachment_complete(stencil, stencil.stencil)) {
+    return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT_OES;
+  }
+  const AttachedImage* first = nullptr;
+  for (const AttachedImage* image : {&colour, &depth, &stencil}) {
+    if (!image->present) continue;
+    if (!first) first = image;
+    if (image->width != first->width || image->height != first->height) {
+      return GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS_OES;
+    }
+  }
+  if (!first) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_OES;
+  if (depth.present && stencil.present && f.depth.renderbuffer != f.stencil.renderbuffer) {
+    return GL_FRAMEBUFFER_UNSUPPORTED_OES;
+  }
+  return GL_FRAMEBUFFER_COMPLETE_OES;
+}
+
+// A level of a texture as a buffer to draw to: the same memory.
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(const TextureObject& texture, size_t level) {
+  pipeline::ImageLevel& from = texture.image->levels[level];
+  auto buffer = std::make_shared<pipeline::ColourBuffer>();
+  buffer->width = from.width;
+  buffer->height = from.height;
+  buffer->pixels = std::shared_ptr<uint32_t[]>(texture.image, from.texels.data());
+  buffer->has_alpha = texture.level[level].format == GL_RGBA;
+  return buffer;
+}
+
+// A renderbuffer's depth and stencil as far as they are attached: the same memory.
+std::shared_ptr<pipeline::DepthStencilBuffer> buffer_of(const FramebufferObject& f) {
+  const RenderbufferPtr& renderbuffer = (f.depth.renderbuffer ? f.depth : f.stencil).renderbuffer;
+  if (!renderbuffer) return nullptr;
+  const pipeline::DepthStencilBuffer& from = *renderbuffer->depth_stencil;
+  auto buffer = std::make_shared<pipeline::DepthStencilBuffer>(from);
+  buffer->has_depth = f.depth.renderbuffer != nullptr;
+  buffer->has_stencil = f.stencil.renderbuffer != nullptr;
+  buffer->partial_view =
+      buffer->has_depth != from.has_depth || buffer->has_stencil != from.has_stencil;
+  return buffer;
+}
+
+// Of a complete framebuffer object.
+pipeline::Target target_of(const FramebufferObject& f) {
+  pipeline::Target target;
+  target.mirrored = false;
+  if (f.colour.renderbuffer) {
+    target.colour = f.colour.renderbuffer->colour;
+  } else if (f.colour.texture) {
+    target.colour = buffer_of(*f.colour.texture, static_cast<size_t>(f.colour.level));
+  }
+  target.depth_stencil = buffer_of(f);
+  target.width = target.colour ? target.colour->width : target.depth_stencil->width;
+  target.height = target.colour ? target.colour->height : target.depth_stencil->height;
+  return target;
+}
+
+// Whether two buffers are the same view of the same memory.
+bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]>& b) {
+  return a == b && !a.owner_before(b) && !b.owner_before(a);
+}
+bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
+  if (a == b || !a || !b) return a == b;
+  return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
+         a->has_alpha == b->has_alpha;
+}
+bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
+  if (a == b || !a || !b) return a == b;
+  return same(a->values, b->values) && a->width == b->width && a->height == b->height &&
+         a->has_depth == b->has_depth && a->has_stencil == b->has_stencil;
+}
+bool same(const pipeline::Target& a, const pipeline::Target& b) {
+  return same(a.colour.get(), b.colour.get()) &&
+         same(a.depth_stencil.get(), b.depth_stencil.get()) && a.width == b.width &&
+         a.height == b.height && a.mirrored == b.mirrored;
+}
+
+}  // namespace
+
+GLenum framebuffer_status(const Context& c) {
+  if (c.framebuffer) return status_of(*c.framebuffer);
+  return c.surface_draw.colour || c.surface_draw.depth_stencil ? GL_FRAMEBUFFER_COMPLETE_OES
+                                                               : GL_FRAMEBUFFER_UNDEFINED_OES;
+}
+
+GLenum draw_framebuffer_error(const Context& c) {
+  return framebuffer_status(c) == GL_FRAMEBUFFER_COMPLETE_OES
+             ? GL_NO_ERROR
+             : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+}
+
+GLenum read_framebuffer_error(const Context& c) {
+  if (!c.framebuffer) {
+    return c.surface_read.colour ? GL_NO_ERROR : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  }
+  if (const GLenum error = draw_framebuffer_error(c)) return error;
+  return image_of(c.framebuffer->colour).present ? GL_NO_ERROR : GL_INVALID_OPERATION;
+}
+
+pipeline::Target draw_target(const Context& c) {
+  if (!c.framebuffer) return c.surface_draw;
+  return status_of(*c.framebuffer) == GL_FRAMEBUFFER_COMPLETE_OES ? target_of(*c.framebuffer)
+                                                                  : pipeline::Target();
+}
+
+pipeline::Target read_target(const Context& c) {
+  return c.framebuffer ? draw_target(c) : c.surface_read;
+}
+
+void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Target& read) {
+  c.finish_frame();
+  c.frame.set_target(draw);
+  c.draw = draw;
+  c.read = read;
+  c.dirty = kDirtyAll;
+}
+
+void update_targets(Context& c) {
+  const pipeline::Target draw = draw_target(c);
+  if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
+}
+
+void note_drawn_texture(Context& c) {
+  if (c.framebuffer && c.framebuffer->colour.texture) {
+    c.framebuffer->colour.texture->uses.note(c.clock);
+  }
+}
+
+void finish_drawing_to(Context& c, const TextureObject& texture) {
+  if (c.framebuffer && c.framebuffer->colour.texture.get() == &texture) c.finish_frame();
+}
+
+bool samples_its_target(const Context& c, const TextureObject& texture) {
+  if (!c.framebuffer || c.framebuffer->colour.texture.get() != &texture) return false;
+  return is_mipmap_filter(texture.min_filter) || c.framebuffer->colour.level == 0;
+}
+
+Attachment* attachment_point(FramebufferObject& framebuffer, GLenum name) {
+  switch (name) {
+    case GL_COLOR_ATTACHMENT0_OES:
+      return &framebuffer.colour;
+    case GL_DEPTH_ATTACHMENT_OES:
+      return &framebuffer.depth;
+    case GL_STENCIL_ATTACHMENT_OES:
+      return &framebuffer.stencil;
+    default:
+      return nullptr;
+  }
+}
+
+void detach(Context& c, const TexturePtr& texture) {
+  if (!c.framebuffer || !texture) return;
+  FramebufferObject& f = *c.framebuffer;
+  for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
+    if (a->texture != texture) continue;
+    c.finish_frame();
+    *a = {};
+  }
+}
+
+void detach(Context& c, const RenderbufferPtr& renderbuffer) {
+  if (!c.framebuffer || !renderbuffer) return;
+  FramebufferObject& f = *c.framebuffer;
+  for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
+    if (a->renderbuffer != renderbuffer) continue;
+    c.finish_frame();
+    *a = {};
+  }
+}
+
+}  // namespace clearpipe::api
