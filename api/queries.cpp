@@ -171,11 +171,10 @@ const GLubyte* get_string(Context& c, GLenum name) {
       break;
     default:
       text =
-          "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
-          "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
-          "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
-          "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
-          "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";
+#define EXTENSION(name) "GL_" #name " "
+#include "api/extensions.def"
+#undef EXTENSION
+          ;
   }
   return reinterpret_cast<const GLubyte*>(text);
 }
