@@ -11,7 +11,7 @@ SCENE(extensions, blend_equations, kColours) {
   clear(gl, 0.3f, 0.6f, 0.2f, 0.5f);
   pixel_projection(gl);
   gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_COLOR);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_DST_ALPHA);
   float y = 4;
   for (const GLenum equation : kEquations) {
     gl.BlendEquationOES(equation);
