@@ -72,6 +72,50 @@ constexpr std::array kDefaults = {
     Criterion{EGL_NATIVE_VISUAL_ID, Match::kIgnored, 0},
 };
 
+// Whether eglChooseConfig takes the value; else it is unrecognized or out of range (3.4.1).
+bool recognized(EGLint attribute, EGLint value) {
+  constexpr EGLint kClientApis =
+      EGL_OPENGL_ES_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_ES3_BIT | EGL_OPENVG_BIT | EGL_OPENGL_BIT;
+  constexpr EGLint kSurfaceTypes =
+      EGL_WINDOW_BIT | EGL_PIXMAP_BIT | EGL_PBUFFER_BIT | EGL_MULTISAMPLE_RESOLVE_BOX_BIT |
+      EGL_SWAP_BEHAVIOR_PRESERVED_BIT | EGL_VG_COLORSPACE_LINEAR_BIT | EGL_VG_ALPHA_FORMAT_PRE_BIT;
+  if (value == EGL_DONT_CARE) {
+    return attribute != EGL_LEVEL && attribute != EGL_MATCH_NATIVE_PIXMAP;
+  }
+  switch (attribute) {
+    case EGL_BIND_TO_TEXTURE_RGB:
+    case EGL_BIND_TO_TEXTURE_RGBA:
+    case EGL_NATIVE_RENDERABLE:
+      return value == EGL_FALSE || value == EGL_TRUE;
+    case EGL_COLOR_BUFFER_TYPE:
+      return value == EGL_RGB_BUFFER || value == EGL_LUMINANCE_BUFFER;
+    case EGL_CONFIG_CAVEAT:
+      return value == EGL_NONE || value == EGL_SLOW_CONFIG || value == EGL_NON_CONFORMANT_CONFIG;
+    case EGL_TRANSPARENT_TYPE:
+      return value == EGL_NONE || value == EGL_TRANSPARENT_RGB;
+    case EGL_CONFORMANT:
+    case EGL_RENDERABLE_TYPE:
+      return (value & ~kClientApis) == 0;
+    case EGL_SURFACE_TYPE:
+      return (value & ~kSurfaceTypes) == 0;
+    case EGL_CONFIG_ID:
+      return value >= 1;
+    case EGL_SAMPLE_BUFFERS:
+      return value == 0 || value == 1;
+    case EGL_MATCH_NATIVE_PIXMAP:  // there is no native pixmap
+      return value == EGL_NONE;
+    case EGL_LEVEL:
+    case EGL_NATIVE_VISUAL_TYPE:
+    case EGL_NATIVE_VISUAL_ID:
+    case EGL_MAX_PBUFFER_WIDTH:
+    case EGL_MAX_PBUFFER_HEIGHT:
+    case EGL_MAX_PBUFFER_PIXELS:
+      return true;
+    default:  // sizes, counts and intervals
+      return value >= 0;
+  }
+}
+
 bool matches(const Config& config, const Criterion& criterion) {
   if (criterion.match == Match::kIgnored || criterion.value == EGL_DONT_CARE) return true;
   EGLint value = 0;
@@ -169,7 +213,8 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       value = kMaxPbuffer * kMaxPbuffer;
       break;
     case EGL_SURFACE_TYPE:
-      value = EGL_PBUFFER_BIT;
+      // A pbuffer keeps its pixels whatever is posted, so it can promise to.
+      value = EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT;
       break;
     default:
       return false;
@@ -183,14 +228,26 @@ EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out
     const auto found = std::find_if(criteria.begin(), criteria.end(),
                                     [&](const Criterion& c) { return c.attribute == a[0]; });
     if (found == criteria.end()) return EGL_BAD_ATTRIBUTE;
+    if (!recognized(a[0], a[1])) return EGL_BAD_ATTRIBUTE;
     found->value = a[1];
-    if (a[0] == EGL_MATCH_NATIVE_PIXMAP) found->match = Match::kIgnored;
   }
   const auto requested = [&](EGLint attribute) {
     return std::find_if(criteria.begin(), criteria.end(),
                         [&](const Criterion& c) { return c.attribute == attribute; })
         ->value;
   };
+  // 3.4.1.1: attributes that count only together with another one.
+  const auto ignore = [&](EGLint attribute) {
+    for (Criterion& c : criteria) {
+      if (c.attribute == attribute) c.match = Match::kIgnored;
+    }
+  };
+  if ((requested(EGL_SURFACE_TYPE) & EGL_WINDOW_BIT) == 0) ignore(EGL_NATIVE_VISUAL_TYPE);
+  if (requested(EGL_TRANSPARENT_TYPE) == EGL_NONE) {
+    ignore(EGL_TRANSPARENT_RED_VALUE);
+    ignore(EGL_TRANSPARENT_GREEN_VALUE);
+    ignore(EGL_TRANSPARENT_BLUE_VALUE);
+  }
   // 3.4.1.1: a config asked for by its number is returned whatever the other attributes say.
   if (const EGLint id = requested(EGL_CONFIG_ID); id != EGL_DONT_CARE) {
     for (const Config& config : configs()) {

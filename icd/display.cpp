@@ -3,6 +3,8 @@
 #include "icd/display.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 
 namespace clearpipe::icd {
 
@@ -11,7 +13,7 @@ namespace {
 template <class Object>
 Object* find_living(const std::vector<std::unique_ptr<Object>>& objects, const void* handle) {
   const auto found = std::find_if(objects.begin(), objects.end(), [&](const auto& object) {
-    return object.get() == handle && !object->destroyed;
+    return object->handle == handle && !object->destroyed;
   });
   return found == objects.end() ? nullptr : found->get();
 }
@@ -34,8 +36,19 @@ std::mutex& egl_mutex() {
   return *mutex;
 }
 
+void* Object::next_handle() {
+  static std::atomic<uintptr_t> last{0};
+  return reinterpret_cast<void*>(++last);
+}
+
 Surface* Display::surface(EGLSurface handle) { return find_living(surfaces, handle); }
 Context* Display::context(EGLContext handle) { return find_living(contexts, handle); }
+
+std::shared_ptr<Sync> Display::sync(EGLSync handle) const {
+  const auto found = std::find_if(syncs.begin(), syncs.end(),
+                                  [&](const auto& sync) { return sync->handle == handle; });
+  return found == syncs.end() ? nullptr : *found;
+}
 
 void Display::sweep() {
   erase_dead(contexts);
@@ -49,16 +62,28 @@ Display* find_display(EGLDisplay handle) {
   return nullptr;
 }
 
-Display* get_display(EGLenum platform, void* native_display) {
-  // EGL_NONE asks for a vendor's default display, which is the surfaceless one here.
-  if ((platform != EGL_NONE && platform != EGL_PLATFORM_SURFACELESS_MESA) ||
-      native_display != nullptr) {
-    return nullptr;
+EGLDeviceEXT the_device() {
+  static char device;  // an address that no other vendor has
+  return &device;
+}
+
+Display* get_display(EGLenum platform) {
+  for (const auto& display : displays()) {
+    if (display->platform == platform) return display.get();
   }
-  if (displays().empty()) {
-    displays().push_back(std::make_unique<Display>());
+  displays().push_back(std::make_unique<Display>(platform));
+  return displays().back().get();
+}
+
+Context* find_context(EGLContext handle) {
+  for (const auto& display : displays()) {
+    if (Context* context = display->context(handle); context != nullptr) return context;
   }
-  return displays().front().get();
+  return nullptr;
+}
+
+void finish_current(const Thread& thread) {
+  if (thread.context != nullptr) api::finish(thread.context->context);
 }
 
 void release_current(Thread& thread) {
@@ -76,6 +101,7 @@ void release_current(Thread& thread) {
 }
 
 Thread::~Thread() {
+  finish_current(*this);
   const std::lock_guard<std::mutex> lock(egl_mutex());
   release_current(*this);
 }

@@ -1,7 +1,8 @@
-// The objects of EGL and the rules of their lives: displays own surfaces and contexts; a destroyed
-// object lives on while it is current (3.5.5, 3.7.3). Handles are addresses, but none is followed
-// before it has been found in its display.
-// SPDX-License-Identifier: MIT
+// The objects of EGL and the rules of their lives: displays own surfaces, contexts and syncs; a
+// destroyed object lives on while it is current (3.5.5, 3.7.3). The handle of such an object is a
+// number that is never given again, so a handle kept too long cannot name a newer object; the
+// handle of a display is its address, because libglvnd must tell the displays of several vendors
+// apart. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <EGL/egl.h>
@@ -13,42 +14,54 @@
 
 #include "api/context.h"
 #include "icd/config.h"
+#include "icd/context_attributes.h"
+#include "icd/sync.h"
 #include "pipeline/surface.h"
 
 namespace clearpipe::icd {
 
-struct Surface {
+// What surfaces and contexts have in common.
+struct Object {
+  void* const handle = next_handle();
+  bool current = false;    // bound to some thread
+  bool destroyed = false;  // its handle is void; it goes when it is no longer current
+  static void* next_handle();
+};
+
+struct Surface : Object {
   const Config* config = nullptr;
   pipeline::Target target;
   EGLint width = 0, height = 0;
   bool largest_pbuffer = false;
+  bool mipmap_texture = false;
+  EGLint gl_colorspace = EGL_GL_COLORSPACE_LINEAR;
   EGLint swap_behavior = EGL_BUFFER_PRESERVED;
   EGLint multisample_resolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
   EGLint mipmap_level = 0;
-  bool current = false;    // as draw or read surface of some thread's context
-  bool destroyed = false;  // goes when it is no longer current
 };
 
-struct Context {
+struct Context : Object {
   const Config* config = nullptr;  // null: created without a config
+  ContextAttributes attributes;
   api::Context* context = nullptr;
   Surface* draw = nullptr;
   Surface* read = nullptr;
-  bool current = false;
-  bool destroyed = false;
   ~Context() {
     if (context != nullptr) api::destroy_context(context);
   }
 };
 
 struct Display {
-  EGLenum platform = EGL_PLATFORM_SURFACELESS_MESA;
+  EGLenum platform;
   bool initialized = false;
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
+  std::vector<std::shared_ptr<Sync>> syncs;
 
+  explicit Display(EGLenum display_platform) : platform(display_platform) {}
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
   Context* context(EGLContext handle);
+  std::shared_ptr<Sync> sync(EGLSync handle) const;
 
   // Frees what is destroyed and not current; after eglTerminate everything counts as destroyed.
   void sweep();
@@ -60,8 +73,14 @@ std::mutex& egl_mutex();
 // The display of a handle, or null.
 Display* find_display(EGLDisplay handle);
 
-// The display of a platform, created at the first call; null when the platform is not ours.
-Display* get_display(EGLenum platform, void* native_display);
+// The one device (EGL_EXT_device_query).
+EGLDeviceEXT the_device();
+
+// The display of a platform, created at the first call.
+Display* get_display(EGLenum platform);
+
+// The living context of a handle, of whatever display, or null.
+Context* find_context(EGLContext handle);
 
 // What a thread has bound (2.3, 3.7.1). A thread that ends releases its context.
 struct Thread {
@@ -73,7 +92,11 @@ struct Thread {
 };
 Thread& this_thread();
 
-// Releases the thread's context and surfaces.
+// Executes what the thread's context has recorded. Called without the mutex, so that a long frame
+// holds up no other thread; a context that is current here can be freed by no one else.
+void finish_current(const Thread& thread);
+
+// Releases the thread's context and surfaces. Call finish_current before.
 void release_current(Thread& thread);
 
 }  // namespace clearpipe::icd

@@ -5,42 +5,44 @@
 #include <EGL/eglext.h>
 #include <glvnd/libeglabi.h>
 
+#include "icd/dispatch.h"
 #include "icd/entry.h"
 
 namespace clearpipe::icd {
 
 namespace {
 
+// EGL_NONE asks for a vendor's default display, as eglGetDisplay does.
 EGLDisplay platform_display(EGLenum platform, void* native_display, const EGLAttrib* attribs) {
+  if (platform == EGL_NONE) {
+    return entry::GetDisplay(reinterpret_cast<EGLNativeDisplayType>(native_display));
+  }
   return entry::GetPlatformDisplay(platform, native_display, attribs);
 }
 
 EGLBoolean supports_api(EGLenum api) { return api == EGL_OPENGL_ES_API ? EGL_TRUE : EGL_FALSE; }
 
 const char* vendor_string(int name) {
-  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS ? "EGL_MESA_platform_surfaceless"
-                                                         : nullptr;
+  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS
+             ? "EGL_EXT_platform_device EGL_MESA_platform_surfaceless"
+             : nullptr;
 }
 
 void* proc_address(const char* name) {
   return reinterpret_cast<void*>(entry::GetProcAddress(name));
 }
 
-// No EGL extension of ours adds a command, so libEGL needs no dispatch stub from us.
-void* dispatch_address(const char*) { return nullptr; }
-void set_dispatch_index(const char*, int) {}
-
 }  // namespace
 
 }  // namespace clearpipe::icd
 
-extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version,
-                                                                        const __EGLapiExports*,
-                                                                        __EGLvendorInfo*,
-                                                                        __EGLapiImports* imports) {
+extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(
+    uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo*, __EGLapiImports* imports) {
   if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION) {
     return EGL_FALSE;
   }
+  clearpipe::icd::set_dispatch_exports(exports);
+  clearpipe::icd::entry::set_current_api_source(exports->getCurrentApi);
   imports->getPlatformDisplay = clearpipe::icd::platform_display;
   imports->getSupportsAPI = clearpipe::icd::supports_api;
   imports->getVendorString = clearpipe::icd::vendor_string;

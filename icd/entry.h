@@ -1,4 +1,5 @@
-// The EGL commands as C++ functions, declared from egl15.def. Each sets the thread's error (3.1).
+// The EGL commands as C++ functions, declared from egl15.def and
+// egl_ext.def. Each sets the thread's error (3.1).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,6 +13,12 @@ namespace clearpipe::icd::entry {
 #define CALL(type, name, parameters, arguments) type name parameters noexcept;
 #include "icd/egl15.def"
 #undef CALL
+#define CALL(type, name, parameters, arguments, vendor) type name parameters noexcept;
+#include "icd/egl_ext.def"
+#undef CALL
+
+// Under libglvnd, which keeps the current rendering API itself: where to ask for it (3.7).
+void set_current_api_source(EGLenum (*source)());
 
 // Notes the error and gives `result` back: `return fail(EGL_BAD_DISPLAY, EGL_FALSE)`.
 template <class Result>

@@ -1,4 +1,4 @@
-// EGL commands on contexts, synchronization and procedure addresses (3.7, 3.8, 3.10).
+// EGL commands on contexts, waiting and procedure addresses (3.7, 3.8, 3.11).
 // SPDX-License-Identifier: MIT
 #include <cstring>
 #include <new>
@@ -9,32 +9,6 @@ namespace clearpipe::icd::entry {
 
 namespace {
 
-// Table 3.7.1: the version and flags a context may be asked for. Only OpenGL ES 1.x is here.
-EGLint check_context_attributes(const EGLint* list) {
-  EGLint major = 1, minor = 0;
-  for (; list != nullptr && *list != EGL_NONE; list += 2) {
-    switch (list[0]) {
-      case EGL_CONTEXT_MAJOR_VERSION:
-        major = list[1];
-        break;
-      case EGL_CONTEXT_MINOR_VERSION:
-        minor = list[1];
-        break;
-      case EGL_CONTEXT_FLAGS_KHR:
-        if (list[1] != 0) return EGL_BAD_ATTRIBUTE;
-        break;
-      case EGL_CONTEXT_OPENGL_DEBUG:
-        if (list[1] != EGL_FALSE) return EGL_BAD_MATCH;
-        break;
-      default:
-        return EGL_BAD_ATTRIBUTE;
-    }
-  }
-  if (major < 1 || minor < 0) return EGL_BAD_MATCH;
-  if (major != 1 || minor > 1) return EGL_BAD_MATCH;
-  return EGL_SUCCESS;
-}
-
 // 3.7.3: context and surface must have buffers that agree.
 bool compatible(const Context& context, const Surface& surface) {
   const Config* a = context.config;
@@ -43,12 +17,22 @@ bool compatible(const Context& context, const Surface& surface) {
                           a->alpha == b->alpha && a->depth == b->depth && a->stencil == b->stencil);
 }
 
+// The rendering API that is current: libglvnd keeps it, if it stands above us.
+EGLenum (*current_api_source)() = nullptr;
+
+bool surfaces_valid(const Context& context) {
+  return (context.draw == nullptr || !context.draw->destroyed) &&
+         (context.read == nullptr || !context.read->destroyed);
+}
+
 bool bound_elsewhere(const Surface& surface, const Context* previous) {
   return surface.current &&
          (previous == nullptr || (previous->draw != &surface && previous->read != &surface));
 }
 
 }  // namespace
+
+void set_current_api_source(EGLenum (*source)()) { current_api_source = source; }
 
 EGLBoolean BindAPI(EGLenum api) noexcept {
   if (api != EGL_OPENGL_ES_API) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
@@ -63,24 +47,33 @@ EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_cont
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = initialized_display(dpy);
   if (display == nullptr) return EGL_NO_CONTEXT;
+  // Another vendor's API may be bound, OpenGL for one; it renders to no config of ours (3.7.1).
+  if (current_api_source != nullptr && current_api_source() != EGL_OPENGL_ES_API) {
+    return fail(EGL_BAD_MATCH, EGL_NO_CONTEXT);
+  }
   auto context = std::make_unique<Context>();
   if (config != EGL_NO_CONFIG_KHR) {
     context->config = find_config(config);
     if (context->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_CONTEXT);
   }
+  if (const EGLint error = parse_context_attributes(attrib_list, context->attributes);
+      error != EGL_SUCCESS) {
+    return fail(error, EGL_NO_CONTEXT);
+  }
   api::Context* share = nullptr;
   if (share_context != EGL_NO_CONTEXT) {
-    const Context* other = display->context(share_context);
+    const Context* other = find_context(share_context);
     if (other == nullptr) return fail(EGL_BAD_CONTEXT, EGL_NO_CONTEXT);
+    if (display->context(share_context) != other ||
+        !may_share(other->attributes, context->attributes)) {
+      return fail(EGL_BAD_MATCH, EGL_NO_CONTEXT);
+    }
     share = other->context;
-  }
-  if (const EGLint error = check_context_attributes(attrib_list); error != EGL_SUCCESS) {
-    return fail(error, EGL_NO_CONTEXT);
   }
   context->context = api::create_context(share);
   if (context->context == nullptr) return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
   display->contexts.push_back(std::move(context));
-  return succeed<EGLContext>(display->contexts.back().get());
+  return succeed<EGLContext>(display->contexts.back()->handle);
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
 }
@@ -98,16 +91,20 @@ EGLBoolean DestroyContext(EGLDisplay dpy, EGLContext ctx) noexcept {
 
 EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) noexcept
     try {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
   Thread& thread = this_thread();
+  finish_current(thread);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = find_display(dpy);
   if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
+  const bool release_only =
+      ctx == EGL_NO_CONTEXT && draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE;
+  // Only a release is allowed on a display that is not initialized (3.7.3).
+  if (!display->initialized && !release_only) return fail(EGL_NOT_INITIALIZED, EGL_FALSE);
   if (ctx == EGL_NO_CONTEXT) {
     if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE) return fail(EGL_BAD_MATCH, EGL_FALSE);
-    release_current(thread);  // allowed on a display that is not initialized (3.7.3)
+    release_current(thread);
     return succeed(EGL_TRUE);
   }
-  if (!display->initialized) return fail(EGL_NOT_INITIALIZED, EGL_FALSE);
   Context* context = display->context(ctx);
   if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
   if ((draw == EGL_NO_SURFACE) != (read == EGL_NO_SURFACE)) return fail(EGL_BAD_MATCH, EGL_FALSE);
@@ -142,13 +139,17 @@ EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLCont
   return fail(EGL_BAD_ALLOC, EGL_FALSE);
 }
 
-EGLContext GetCurrentContext() noexcept { return succeed<EGLContext>(this_thread().context); }
+EGLContext GetCurrentContext() noexcept {
+  const Context* context = this_thread().context;
+  return succeed<EGLContext>(context != nullptr ? context->handle : EGL_NO_CONTEXT);
+}
 
 EGLSurface GetCurrentSurface(EGLint readdraw) noexcept {
   const Context* context = this_thread().context;
   if (readdraw != EGL_DRAW && readdraw != EGL_READ) return fail(EGL_BAD_PARAMETER, EGL_NO_SURFACE);
   if (context == nullptr) return succeed(EGL_NO_SURFACE);
-  return succeed<EGLSurface>(readdraw == EGL_DRAW ? context->draw : context->read);
+  const Surface* surface = readdraw == EGL_DRAW ? context->draw : context->read;
+  return succeed<EGLSurface>(surface != nullptr ? surface->handle : EGL_NO_SURFACE);
 }
 
 EGLDisplay GetCurrentDisplay() noexcept { return succeed<EGLDisplay>(this_thread().display); }
@@ -180,9 +181,11 @@ EGLBoolean QueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint
 }
 
 EGLBoolean WaitClient() noexcept {
+  const Thread& thread = this_thread();
+  finish_current(thread);
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (const Context* context = this_thread().context; context != nullptr) {
-    api::finish(context->context);
+  if (thread.context != nullptr && !surfaces_valid(*thread.context)) {
+    return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
   }
   return succeed(EGL_TRUE);
 }
@@ -191,6 +194,11 @@ EGLBoolean WaitGL() noexcept { return WaitClient(); }
 
 EGLBoolean WaitNative(EGLint engine) noexcept {
   if (engine != EGL_CORE_NATIVE_ENGINE) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  const Context* context = this_thread().context;
+  if (context != nullptr && !surfaces_valid(*context)) {
+    return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
+  }
   return succeed(EGL_TRUE);
 }
 
@@ -200,6 +208,10 @@ __eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) no
 #define CALL(type, name, parameters, arguments) \
   if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
 #include "icd/egl15.def"
+#undef CALL
+#define CALL(type, name, parameters, arguments, vendor) \
+  if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
+#include "icd/egl_ext.def"
 #undef CALL
   return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
 }

@@ -10,10 +10,14 @@ namespace clearpipe::icd::entry {
 namespace {
 
 constexpr const char* kClientExtensions =
-    "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_MESA_platform_surfaceless";
+    "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
+    "EGL_EXT_device_query EGL_EXT_platform_base EGL_EXT_platform_device "
+    "EGL_KHR_client_get_all_proc_addresses EGL_MESA_platform_surfaceless";
 constexpr const char* kDisplayExtensions =
-    "EGL_KHR_config_attribs EGL_KHR_create_context EGL_KHR_get_all_proc_addresses "
-    "EGL_KHR_no_config_context EGL_KHR_surfaceless_context";
+    "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
+    "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
+    "EGL_KHR_no_config_context EGL_KHR_reusable_sync EGL_KHR_surfaceless_context "
+    "EGL_KHR_wait_sync";
 
 EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
                           EGLint* num_config) {
@@ -47,7 +51,8 @@ EGLint GetError() noexcept {
 EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   // An unknown native display matches nothing, which is no error (3.2).
-  return succeed<EGLDisplay>(get_display(EGL_NONE, reinterpret_cast<void*>(display_id)));
+  if (display_id != EGL_DEFAULT_DISPLAY) return succeed(EGL_NO_DISPLAY);
+  return succeed<EGLDisplay>(get_display(EGL_PLATFORM_SURFACELESS_MESA));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
 }
@@ -55,16 +60,26 @@ EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
 EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
                               const EGLAttrib* attrib_list) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (platform != EGL_PLATFORM_SURFACELESS_MESA && platform != EGL_NONE) {
-    return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
-  }
-  if (native_display != nullptr) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
+  // Either platform has one display: the default one, or that of the one device.
+  const bool ours = platform == EGL_PLATFORM_SURFACELESS_MESA
+                        ? native_display == EGL_DEFAULT_DISPLAY
+                    : platform == EGL_PLATFORM_DEVICE_EXT ? native_display == the_device()
+                                                          : false;
+  if (!ours) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
   if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
     return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
   }
-  return succeed<EGLDisplay>(get_display(platform, native_display));
+  return succeed<EGLDisplay>(get_display(platform));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
+}
+
+EGLDisplay GetPlatformDisplayEXT(EGLenum platform, void* native_display,
+                                 const EGLint* attrib_list) noexcept {
+  if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
+    return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
+  }
+  return GetPlatformDisplay(platform, native_display, nullptr);
 }
 
 EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept {
@@ -83,6 +98,8 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
   for (const auto& surface : display->surfaces) surface->destroyed = true;
   for (const auto& context : display->contexts) context->destroyed = true;
+  for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
+  display->syncs.clear();
   display->sweep();
   display->initialized = false;
   return succeed(EGL_TRUE);
@@ -110,8 +127,9 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
 }
 
 EGLBoolean ReleaseThread() noexcept {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
   Thread& thread = this_thread();
+  finish_current(thread);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
   release_current(thread);
   thread.api = EGL_OPENGL_ES_API;
   return succeed(EGL_TRUE);

@@ -9,47 +9,58 @@ namespace clearpipe::icd::entry {
 
 namespace {
 
-struct PbufferAttributes {
-  EGLint width = 0, height = 0;
-  bool largest = false;
-};
+EGLint parse_boolean(EGLint value, bool& out) {
+  if (value != EGL_FALSE && value != EGL_TRUE) return EGL_BAD_ATTRIBUTE;
+  out = value == EGL_TRUE;
+  return EGL_SUCCESS;
+}
 
-// Table 3.5 and the text under it; the EGL error or EGL_SUCCESS.
-EGLint parse_pbuffer(const EGLint* list, PbufferAttributes& out) {
-  for (; list != nullptr && *list != EGL_NONE; list += 2) {
-    const EGLint value = list[1];
-    switch (list[0]) {
-      case EGL_WIDTH:
-        if (value < 0) return EGL_BAD_PARAMETER;
-        out.width = value;
-        break;
-      case EGL_HEIGHT:
-        if (value < 0) return EGL_BAD_PARAMETER;
-        out.height = value;
-        break;
-      case EGL_LARGEST_PBUFFER:
-        out.largest = value != EGL_FALSE;
-        break;
-      case EGL_TEXTURE_FORMAT:
-      case EGL_TEXTURE_TARGET:
-        // No config binds to a texture.
-        if (value != EGL_NO_TEXTURE) return EGL_BAD_MATCH;
-        break;
-      case EGL_MIPMAP_TEXTURE:
-      case EGL_GL_COLORSPACE:
-      case EGL_VG_COLORSPACE:
-      case EGL_VG_ALPHA_FORMAT:
-        break;
-      default:
-        return EGL_BAD_ATTRIBUTE;
-    }
+// One attribute of 3.5.2; the EGL error or EGL_SUCCESS.
+EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
+  switch (name) {
+    case EGL_WIDTH:
+      out.width = value;
+      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
+    case EGL_HEIGHT:
+      out.height = value;
+      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
+    case EGL_LARGEST_PBUFFER:
+      return parse_boolean(value, out.largest_pbuffer);
+    case EGL_MIPMAP_TEXTURE:
+      return parse_boolean(value, out.mipmap_texture);
+    case EGL_TEXTURE_FORMAT:  // no config binds to a texture, so only "none" matches
+      if (value == EGL_NO_TEXTURE) return EGL_SUCCESS;
+      return value == EGL_TEXTURE_RGB || value == EGL_TEXTURE_RGBA ? EGL_BAD_MATCH
+                                                                   : EGL_BAD_ATTRIBUTE;
+    case EGL_TEXTURE_TARGET:
+      if (value == EGL_NO_TEXTURE) return EGL_SUCCESS;
+      return value == EGL_TEXTURE_2D ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
+    case EGL_GL_COLORSPACE:  // kept for queries; OpenGL ES 1 does not convert (3.5.1)
+      out.gl_colorspace = value;
+      return value == EGL_GL_COLORSPACE_LINEAR || value == EGL_GL_COLORSPACE_SRGB
+                 ? EGL_SUCCESS
+                 : EGL_BAD_ATTRIBUTE;
+    case EGL_VG_COLORSPACE:  // no config has the bit of the other value (table 3.2)
+      if (value == EGL_VG_COLORSPACE_sRGB) return EGL_SUCCESS;
+      return value == EGL_VG_COLORSPACE_LINEAR ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
+    case EGL_VG_ALPHA_FORMAT:
+      if (value == EGL_VG_ALPHA_FORMAT_NONPRE) return EGL_SUCCESS;
+      return value == EGL_VG_ALPHA_FORMAT_PRE ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
+    default:
+      return EGL_BAD_ATTRIBUTE;
   }
-  if (out.width > kMaxPbuffer || out.height > kMaxPbuffer) {
-    if (!out.largest) return EGL_BAD_ALLOC;
+}
+
+EGLint parse_pbuffer(const EGLint* list, Surface& out) {
+  for (; list != nullptr && *list != EGL_NONE; list += 2) {
+    const EGLint error = parse_pbuffer_attribute(list[0], list[1], out);
+    if (error != EGL_SUCCESS) return error;
+  }
+  if (out.largest_pbuffer) {
     out.width = std::min(out.width, kMaxPbuffer);
     out.height = std::min(out.height, kMaxPbuffer);
   }
-  return EGL_SUCCESS;
+  return out.width > kMaxPbuffer || out.height > kMaxPbuffer ? EGL_BAD_ALLOC : EGL_SUCCESS;
 }
 
 bool make_target(Surface& surface) {
@@ -97,16 +108,19 @@ EGLSurface CreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
   auto surface = std::make_unique<Surface>();
   surface->config = find_config(config);
   if (surface->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
-  PbufferAttributes attributes;
-  if (const EGLint error = parse_pbuffer(attrib_list, attributes); error != EGL_SUCCESS) {
+  if (const EGLint error = parse_pbuffer(attrib_list, *surface); error != EGL_SUCCESS) {
     return fail(error, EGL_NO_SURFACE);
   }
-  surface->width = attributes.width;
-  surface->height = attributes.height;
-  surface->largest_pbuffer = attributes.largest;
-  if (!make_target(*surface)) return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
+  while (!make_target(*surface)) {
+    // EGL_LARGEST_PBUFFER: what memory suffices for, by halves (3.5.2).
+    if (!surface->largest_pbuffer || (surface->width <= 1 && surface->height <= 1)) {
+      return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
+    }
+    surface->width = (surface->width + 1) / 2;
+    surface->height = (surface->height + 1) / 2;
+  }
   display->surfaces.push_back(std::move(surface));
-  return succeed<EGLSurface>(display->surfaces.back().get());
+  return succeed<EGLSurface>(display->surfaces.back()->handle);
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
 }
@@ -128,6 +142,16 @@ EGLSurface CreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmap
 
 EGLSurface CreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void*,
                                        const EGLAttrib*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
+                                          const EGLint*) noexcept {
+  return refuse_native_surface(dpy, config);
+}
+
+EGLSurface CreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
+                                          const EGLint*) noexcept {
   return refuse_native_surface(dpy, config);
 }
 
@@ -186,14 +210,20 @@ EGLBoolean QuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       *value = surface->mipmap_level;
       break;
     case EGL_MIPMAP_TEXTURE:
-      *value = EGL_FALSE;
+      *value = surface->mipmap_texture ? EGL_TRUE : EGL_FALSE;
       break;
     case EGL_TEXTURE_FORMAT:
     case EGL_TEXTURE_TARGET:
       *value = EGL_NO_TEXTURE;
       break;
     case EGL_GL_COLORSPACE:
-      *value = EGL_GL_COLORSPACE_LINEAR;
+      *value = surface->gl_colorspace;
+      break;
+    case EGL_VG_COLORSPACE:
+      *value = EGL_VG_COLORSPACE_sRGB;
+      break;
+    case EGL_VG_ALPHA_FORMAT:
+      *value = EGL_VG_ALPHA_FORMAT_NONPRE;
       break;
     case EGL_HORIZONTAL_RESOLUTION:
     case EGL_VERTICAL_RESOLUTION:
@@ -222,10 +252,9 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
       break;
     case EGL_SWAP_BEHAVIOR:
-      // Pbuffers are preserved, and no config lets a surface choose
-      // (EGL_SWAP_BEHAVIOR_PRESERVED_BIT).
-      if (value == EGL_BUFFER_PRESERVED) return fail(EGL_BAD_MATCH, EGL_FALSE);
-      if (value != EGL_BUFFER_DESTROYED) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      if (value != EGL_BUFFER_PRESERVED && value != EGL_BUFFER_DESTROYED) {
+        return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      }
       surface->swap_behavior = value;
       break;
     default:
@@ -243,15 +272,19 @@ EGLBoolean ReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer) no
 }
 
 EGLBoolean SwapBuffers(EGLDisplay dpy, EGLSurface handle) noexcept {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
-  Display* display = initialized_display(dpy);
-  if (display == nullptr) return EGL_FALSE;
-  Surface* surface = display->surface(handle);
-  if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
-  Context* context = this_thread().context;
-  if (context == nullptr || context->draw != surface) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  const Thread& thread = this_thread();
+  {
+    const std::lock_guard<std::mutex> lock(egl_mutex());
+    Display* display = initialized_display(dpy);
+    if (display == nullptr) return EGL_FALSE;
+    const Surface* surface = display->surface(handle);
+    if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+    if (thread.context == nullptr || thread.context->draw != surface) {
+      return fail(EGL_BAD_SURFACE, EGL_FALSE);
+    }
+  }
   // A pbuffer is single-buffered: nothing is exchanged, but the frame ends (3.10.1).
-  api::finish(context->context);
+  finish_current(thread);
   return succeed(EGL_TRUE);
 }
 

@@ -68,10 +68,7 @@ void texture_environment(const StageContext& context, FragmentBatch& batch, int 
 }
 
 void fog(const StageContext& context, FragmentBatch& batch, int) {
-  const FragmentProgram& p = context.program;
-  FogConstants constants{p.fog_mode, p.fog_scale, p.fog_offset, {}};
-  std::copy_n(p.fog_colour, 3, constants.colour);
-  apply_fog(context.planes, constants, batch);
+  apply_fog(context.planes, fog_constants(context.program), batch);
 }
 
 void alpha_test(const StageContext& context, FragmentBatch& batch, int) {
@@ -105,8 +102,8 @@ constexpr StageFunction kStages[] = {
 class Chain {
  public:
   explicit Chain(const StageContext& context) : context_(context) {
-    to_x_ = static_cast<float>(context.tile.x) + (0.5f - context.planes.x_ref);
-    to_y_ = static_cast<float>(context.tile.y) + (0.5f - context.planes.y_ref);
+    to_x_ = 0.5f - context.planes.x_ref;
+    to_y_ = 0.5f - context.planes.y_ref;
     batch_.count = 0;
   }
 
@@ -142,9 +139,11 @@ class Chain {
   void append(int row, int column, int length) {
     const int at = batch_.count;
     const int offset = row * kTileWidth + column;
-    const float y = static_cast<float>(row) + to_y_;
+    // In the same order as the early depth test, so that both see the same depth.
+    const float y = static_cast<float>(context_.tile.y + row) + to_y_;
+    const int x = context_.tile.x + column;
     for (int i = 0; i < length; ++i) {
-      batch_.x[at + i] = static_cast<float>(column + i) + to_x_;
+      batch_.x[at + i] = static_cast<float>(x + i) + to_x_;
       batch_.y[at + i] = y;
       batch_.offset[at + i] = static_cast<uint16_t>(offset + i);
       batch_.live[at + i] = -1;

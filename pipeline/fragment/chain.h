@@ -30,7 +30,12 @@ struct UnitProgram {
   int16_t constant[4] = {};
 };
 
+// The fused form (fused.h), which shades whole tiles by itself.
+using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePlanes& planes,
+                               const Coverage& coverage, Tile& tile);
+
 struct FragmentProgram {
+  FusedFunction fused = nullptr;  // null: the chain
   FragmentInputs inputs;
   std::array<ChainStep, 8 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
@@ -40,12 +45,14 @@ struct FragmentProgram {
   CompareFunc depth_func = CompareFunc::kAlways;
   StencilState stencil;
   bool uses_depth_stencil = false;  // the chain reads and writes the stored values
+  bool alpha_test = false;
   CompareFunc alpha_func = CompareFunc::kAlways;
   int16_t alpha_reference = 0;  // 0 to 255
   FogMode fog_mode = FogMode::kNone;
   float fog_scale = 0, fog_offset = 0;
   int16_t fog_colour[3] = {};
   BlendState blend;
+  bool has_logic_op = false;
   LogicOp logic_op = LogicOp::kCopy;
   uint32_t colour_mask = 0xffffffffu;  // bits of a packed colour that may change
   std::array<UnitProgram, kMaxTextureUnits> unit;

@@ -39,15 +39,20 @@ HWY_INLINE V clamp_colour(D d, V c) {
   return hn::Min(hn::Max(c, hn::Zero(d)), hn::Set(d, kColourOne));
 }
 
-// A float in [0, 1] (anything else is clamped, NaN to 0) as a colour. Takes the float tag of as
-// many lanes as the 16-bit tag.
-template <class D16, class DF, class VF = hn::Vec<DF>>
-HWY_INLINE hn::Vec<D16> to_colour(D16 d16, DF df, VF f) {
+// A float in [0, 1] (anything else is clamped, NaN to 0) as a colour in 32 bits.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> to_wide_colour(DF df, VF f) {
   const auto zero = hn::Zero(df);
   const auto one = hn::Set(df, 1.0f);
   f = hn::IfThenElse(hn::Gt(f, zero), f, zero);
   f = hn::IfThenElse(hn::Lt(f, one), f, one);
-  return hn::DemoteTo(d16, hn::NearestInt(hn::Mul(f, hn::Set(df, float{kColourOne}))));
+  return hn::NearestInt(hn::Mul(f, hn::Set(df, float{kColourOne})));
+}
+
+// The same in 16 bits, for the 16-bit tag of as many lanes as the float tag.
+template <class D16, class DF, class VF = hn::Vec<DF>>
+HWY_INLINE hn::Vec<D16> to_colour(D16 d16, DF df, VF f) {
+  return hn::DemoteTo(d16, to_wide_colour(df, f));
 }
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE

@@ -12,6 +12,9 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
+#include <cstring>
+
 #include "pipeline/fragment/batch.h"
 #include "pipeline/fragment/compare-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
@@ -27,12 +30,16 @@ struct DepthState {
 
 // Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1).
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const Plane& plane, V x, V y) {
-  V z = evaluate(d, plane, x, y);
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, V z) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   z = hn::IfThenElse(hn::Gt(z, zero), z, zero);
   z = hn::IfThenElse(hn::Lt(z, one), z, one);
   return hn::NearestInt(hn::Mul(z, hn::Set(d, 16777215.0f)));
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const Plane& plane, V x, V y) {
+  return to_depth_value(d, evaluate(d, plane, x, y));
 }
 
 // Table 4.2: what an operation makes of the stored stencil value.

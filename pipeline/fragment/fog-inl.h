@@ -10,6 +10,9 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
+#include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/colour-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
 #include "pipeline/vertex/math-inl.h"
@@ -38,6 +41,19 @@ HWY_INLINE V fog_factor(D d, const FogConstants& fog, V c) {
       d, hn::Neg(hn::IfThenElse(hn::Lt(exponent, limit), exponent, limit)));
 }
 
+inline FogConstants fog_constants(const FragmentProgram& program) {
+  FogConstants fog{program.fog_mode, program.fog_scale, program.fog_offset, {}};
+  std::copy_n(program.fog_colour, 3, fog.colour);
+  return fog;
+}
+
+// Equation 3.23: C = f C_r + (1 - f) C_f.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V mix_fog(D d, V factor, int16_t fog_colour, V colour) {
+  const V fog = hn::Set(d, fog_colour);
+  return hn::Add(fog, multiply(factor, hn::Sub(colour, fog)));
+}
+
 inline void apply_fog(const PrimitivePlanes& planes, const FogConstants& fog,
                       FragmentBatch& batch) {
   const hn::ScalableTag<float> d;
@@ -49,10 +65,8 @@ inline void apply_fog(const PrimitivePlanes& planes, const FogConstants& fog,
     }
     const auto f = to_colour(d16, d, fog_factor(d, fog, coordinate));
     for (int c = 0; c < 3; ++c) {
-      const auto fog_colour = hn::Set(d16, fog.colour[c]);
       const auto colour = hn::Load(d16, batch.previous[c] + i);
-      hn::Store(hn::Add(fog_colour, multiply(f, hn::Sub(colour, fog_colour))), d16,
-                batch.previous[c] + i);
+      hn::Store(mix_fog(d16, f, fog.colour[c], colour), d16, batch.previous[c] + i);
     }
   }
 }

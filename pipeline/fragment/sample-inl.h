@@ -264,7 +264,7 @@ SampleFunction choose_wrap_t(const SampleState& state, WrapKind t) {
 }
 
 // The kernel of a sampler on this target.
-SampleFunction choose_sample(const SampleState& state) {
+inline SampleFunction choose_sample(const SampleState& state) {
   const SampleLevel& level = state.levels[state.first_level];
   const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
   const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);

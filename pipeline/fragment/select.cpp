@@ -6,8 +6,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 
 #include "pipeline/fragment/chain.h"
+#include "pipeline/fragment/fused.h"
 
 namespace clearpipe::pipeline {
 
@@ -56,6 +59,12 @@ void set_unit(const TextureUnit& unit, UnitProgram& out) {
   out.combiner = unit.combiner;
   const float constant[4] = {unit.constant.x, unit.constant.y, unit.constant.z, unit.constant.w};
   std::transform(constant, constant + 4, out.constant, to_fixed);
+}
+
+// CLEARPIPE_FUSED=0 runs chains alone, to compare the two forms.
+bool fused_allowed() {
+  const char* text = std::getenv("CLEARPIPE_FUSED");
+  return text == nullptr || std::strcmp(text, "0") != 0;
 }
 
 void select_stages(const FragmentState& state, FragmentProgram& program) {
@@ -110,9 +119,11 @@ FragmentProgram* make_fragment_program(const FragmentState& state, bool has_dept
   program->stencil = state.stencil;
   program->stencil.enabled = state.stencil.enabled && has_stencil;
   program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test;
+  program->alpha_test = state.alpha_test;
   program->alpha_func = state.alpha_func;
   program->alpha_reference = static_cast<int16_t>(std::nearbyint(state.alpha_reference * 255.0f));
   program->blend = state.blend;
+  program->has_logic_op = state.logic_op_enabled;
   program->logic_op = state.logic_op;
   program->colour_mask = packed_mask(state.colour_mask);
   set_fog(state, *program);
@@ -120,6 +131,8 @@ FragmentProgram* make_fragment_program(const FragmentState& state, bool has_dept
     if (state.unit[u].enabled) set_unit(state.unit[u], program->unit[u]);
   }
   select_stages(state, *program);
+  static const bool allowed = fused_allowed();
+  if (allowed) program->fused = select_fused(*program);
   return program;
 }
 
@@ -129,7 +142,11 @@ FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.
 
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
            Tile& tile) {
-  run_chain(program, planes, coverage, tile);
+  if (program.fused != nullptr) {
+    program.fused(program, planes, coverage, tile);
+  } else {
+    run_chain(program, planes, coverage, tile);
+  }
 }
 
 }  // namespace clearpipe::pipeline

@@ -204,6 +204,28 @@ TEST(Shade, DepthTestEarlyAndLateAgreeWithTheFunction) {
   }
 }
 
+// Passes of one scene with and without the alpha test must agree on every depth (appendix A).
+TEST(Shade, DepthIsTheSameEarlyAndLate) {
+  uint32_t written[2][64];
+  std::mt19937 random(5);
+  for (int round = 0; round < 2000; ++round) {
+    // Columns on both sides of 512, where the distance to the reference loses a bit.
+    const float x_ref = static_cast<float>(random() % 4096) / 4096 + 5.0f / 131072;
+    for (const bool late : {false, true}) {
+      Bench bench;
+      bench.state.depth_test = true;
+      bench.state.depth_func = CompareFunc::kAlways;
+      bench.state.alpha_test = late;
+      bench.tile.x = 480;
+      bench.planes.x_ref = x_ref;
+      bench.planes.depth = {0, 0.0018f, 0};
+      bench.run();
+      std::copy_n(bench.tile.depth_stencil, 64, written[late]);
+    }
+    for (int x = 0; x < 64; ++x) ASSERT_EQ(written[0][x], written[1][x]) << x_ref << " " << x;
+  }
+}
+
 int stencil_result(StencilOp op, int stored, int reference) {
   switch (op) {
     case StencilOp::kKeep:

@@ -50,9 +50,7 @@ inline void blend_stage(const BlendState& state, FragmentBatch& batch) {
       in.source = hn::PromoteTo(d, s8[c]);
       in.destination = hn::PromoteTo(d, d8v[c]);
       const bool alpha = c == 3;
-      const V result =
-          blend(d, alpha ? state.alpha : state.rgb, alpha ? state.src_alpha : state.src_rgb,
-                alpha ? state.dst_alpha : state.dst_rgb, alpha, in);
+      const V result = blend_channel(d, state, alpha, in);
       s8[c] = hn::DemoteTo(d8, hn::BitCast(hn::RebindToSigned<decltype(d)>(), result));
     }
     hn::StoreInterleaved4(s8[0], s8[1], s8[2], s8[3], d8, source + 4 * i);

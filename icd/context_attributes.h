@@ -1,0 +1,24 @@
+// What a context may be asked for when it is created (3.7.1), beyond the config.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace clearpipe::icd {
+
+struct ContextAttributes {
+  EGLint major = 1, minor = 0;
+  bool debug = false;          // accepted; there is no more to tell than in other contexts
+  bool robust_access = false;  // refused: it promises GL_EXT_robustness
+  bool no_error = false;       // accepted; errors are reported nevertheless, which is allowed
+  EGLint reset_notification = EGL_NO_RESET_NOTIFICATION;
+};
+
+// Reads the list; the EGL error of what is wrong with it, or EGL_SUCCESS.
+EGLint parse_context_attributes(const EGLint* list, ContextAttributes& out);
+
+// Whether contexts of these attributes may share objects (3.7.1).
+bool may_share(const ContextAttributes& a, const ContextAttributes& b);
+
+}  // namespace clearpipe::icd
