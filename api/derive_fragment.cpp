@@ -245,9 +245,18 @@ BlendFactor blend_factor(GLenum factor) {
 }
 
 BlendEquation blend_equation(GLenum equation) {
-  return equation == GL_FUNC_ADD_OES        ? BlendEquation::kAdd
-         : equation == GL_FUNC_SUBTRACT_OES ? BlendEquation::kSubtract
-                                            : BlendEquation::kReverseSubtract;
+  switch (equation) {
+    case GL_FUNC_ADD_OES:
+      return BlendEquation::kAdd;
+    case GL_FUNC_SUBTRACT_OES:
+      return BlendEquation::kSubtract;
+    case GL_FUNC_REVERSE_SUBTRACT_OES:
+      return BlendEquation::kReverseSubtract;
+    case GL_MIN_EXT:
+      return BlendEquation::kMin;
+    default:
+      return BlendEquation::kMax;
+  }
 }
 
 void derive_pixel(const Context& context, pipeline::FragmentState& f) {

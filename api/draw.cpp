@@ -7,6 +7,7 @@
 
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 
 namespace clearpipe::api::exec {
 
@@ -205,15 +206,15 @@ void clear(Context& c, GLbitfield mask) {
   if (!c.frame.clear(command)) c.set_error(GL_OUT_OF_MEMORY);
 }
 
-void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum, GLenum,
-                 void* pixels) {
+void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                 GLenum type, void* pixels) {
   c.finish_frame();
   update_targets(c);
   pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
-  const int64_t row_bytes =
-      (4 * static_cast<int64_t>(width) + alignment - 1) / alignment * alignment;
+  const int64_t bytes = static_cast<int64_t>(read_bytes(format, type));
+  const int64_t row_bytes = (bytes * width + alignment - 1) / alignment * alignment;
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
@@ -221,8 +222,16 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
   for (int64_t row = 0; row < height; ++row) {
     const int64_t from_y = y + row;
     if (from_y < 0 || from_y >= from.height) continue;
-    std::memcpy(static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * 4,
-                from.pixels.get() + from_y * from.width + x0, static_cast<size_t>(x1 - x0) * 4);
+    std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
+    const uint32_t* pixel = from.pixels.get() + from_y * from.width + x0;
+    if (format == GL_RGBA) {
+      std::memcpy(to, pixel, static_cast<size_t>(x1 - x0) * 4);
+      continue;
+    }
+    for (int64_t i = x0; i < x1; ++i, to += bytes) {
+      const uint32_t packed = pack_bgra(*pixel++, type);
+      std::memcpy(to, &packed, static_cast<size_t>(bytes));
+    }
   }
 }
 

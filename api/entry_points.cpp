@@ -1,4 +1,5 @@
-// The C entry points and the lookup of their addresses, expanded from gles1.def.
+// The C entry points and the lookup of their addresses, expanded from gles1.def and
+// gles1_aliases.def.
 //
 // An entry point finds the current context, asks the validator, and executes. Without a current
 // context it does nothing. No exception leaves it.
@@ -112,6 +113,12 @@ Return enter(const Body& body, const Report& report) noexcept {
 #include "api/gles1.def"
 #undef CALL
 
+#define ALIAS(name, command) \
+  extern "C"                 \
+      __attribute__((visibility("default"), alias("gl" #command))) decltype(gl##command) gl##name;
+#include "api/gles1_aliases.def"
+#undef ALIAS
+
 namespace {
 
 struct NamedProc {
@@ -125,6 +132,9 @@ const std::array kProcs = [] {
   NamedProc{"gl" #name, reinterpret_cast<Proc>(gl##name)},
 #include "api/gles1.def"
 #undef CALL
+#define ALIAS(name, command) NamedProc{"gl" #name, reinterpret_cast<Proc>(gl##command)},
+#include "api/gles1_aliases.def"
+#undef ALIAS
   };
   std::sort(procs.begin(), procs.end(),
             [](const NamedProc& a, const NamedProc& b) { return std::strcmp(a.name, b.name) < 0; });

@@ -17,6 +17,8 @@ bool is_mipmap_filter(GLenum min_filter) {
   return min_filter != GL_NEAREST && min_filter != GL_LINEAR;
 }
 
+// OES_required_internalformat would have the format and type of all levels agree too; as with the
+// core and with Mesa, levels given in different types are complete here.
 bool is_complete(const TextureObject& texture) {
   const TextureLevel& base = texture.level[0];
   if (base.width == 0 || base.height == 0) return false;

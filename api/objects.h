@@ -49,7 +49,7 @@ using BufferPtr = std::shared_ptr<BufferObject>;
 
 struct TextureLevel {
   int width = 0, height = 0;
-  GLenum internal = 0;  // as specified, a palette format too: levels must agree (3.7.9)
+  GLenum internal = 0;  // as specified, sized and compressed ones too: levels must agree (3.7.9)
   GLenum format = 0;    // its base format: ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA
 };
 

@@ -15,15 +15,53 @@ inline bool is_base_format(GLenum format) {
   return format >= GL_ALPHA && format <= GL_LUMINANCE_ALPHA;  // ALPHA RGB RGBA LUMINANCE L_A
 }
 
+// The base format of an internal format: itself, or that of one with component sizes
+// (OES_required_internalformat), or RGBA for BGRA (EXT_texture_format_BGRA8888). 0 if it is none.
+inline GLenum base_format(GLenum internal) {
+  switch (internal) {
+    case GL_BGRA_EXT:
+    case GL_RGBA8_OES:
+    case GL_RGBA4_OES:
+    case GL_RGB5_A1_OES:
+      return GL_RGBA;
+    case GL_RGB8_OES:
+    case GL_RGB565_OES:
+      return GL_RGB;
+    case GL_LUMINANCE8_ALPHA8_OES:
+    case GL_LUMINANCE4_ALPHA4_OES:
+      return GL_LUMINANCE_ALPHA;
+    case GL_LUMINANCE8_OES:
+      return GL_LUMINANCE;
+    case GL_ALPHA8_OES:
+      return GL_ALPHA;
+    default:
+      return is_base_format(internal) ? internal : 0;
+  }
+}
+
+// The format in which an application gives the pixels of an image of that internal format.
+inline GLenum upload_format(GLenum internal) {
+  return internal == GL_BGRA_EXT ? GL_BGRA_EXT : base_format(internal);
+}
+
+// Whether an image of that internal format may be given in that type (table 3.4 of
+// OES_required_internalformat): never in fewer bits than it asks for.
+inline bool has_enough_bits(GLenum internal, GLenum type) {
+  if (type == GL_UNSIGNED_BYTE || internal == upload_format(internal)) return true;
+  return (type == GL_UNSIGNED_SHORT_5_6_5 && internal == GL_RGB565_OES) ||
+         (type == GL_UNSIGNED_SHORT_4_4_4_4 && internal == GL_RGBA4_OES) ||
+         (type == GL_UNSIGNED_SHORT_5_5_5_1 && internal == GL_RGB5_A1_OES);
+}
+
 // Bytes of a pixel; 0 if the pair is none of table 3.4.
 inline size_t pixel_bytes(GLenum format, GLenum type) {
   switch (type) {
     case GL_UNSIGNED_BYTE:
-      return format == GL_RGBA              ? 4
-             : format == GL_RGB             ? 3
-             : format == GL_LUMINANCE_ALPHA ? 2
-             : is_base_format(format)       ? 1
-                                            : 0;
+      return format == GL_RGBA || format == GL_BGRA_EXT ? 4
+             : format == GL_RGB                         ? 3
+             : format == GL_LUMINANCE_ALPHA             ? 2
+             : is_base_format(format)                   ? 1
+                                                        : 0;
     case GL_UNSIGNED_SHORT_5_6_5:
       return format == GL_RGB ? 2 : 0;
     case GL_UNSIGNED_SHORT_4_4_4_4:
@@ -57,6 +95,8 @@ inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
   switch (format) {
     case GL_RGBA:
       return rgba(p[0], p[1], p[2], p[3]);
+    case GL_BGRA_EXT:
+      return rgba(p[2], p[1], p[0], p[3]);
     case GL_RGB:
       return rgba(p[0], p[1], p[2], 255);
     case GL_LUMINANCE_ALPHA:
@@ -65,6 +105,30 @@ inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
       return rgba(p[0], p[0], p[0], 255);
     default:
       return rgba(0, 0, 0, p[0]);
+  }
+}
+
+// Bytes of a pixel as ReadPixels gives it (4.3.1, EXT_read_format_bgra); 0 if it does not.
+inline size_t read_bytes(GLenum format, GLenum type) {
+  if (type == GL_UNSIGNED_BYTE) return format == GL_RGBA || format == GL_BGRA_EXT ? 4 : 0;
+  return format == GL_BGRA_EXT && (type == GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT ||
+                                   type == GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT)
+             ? 2
+             : 0;
+}
+
+// A pixel of a surface as BGRA of that type: blue in the lowest bits, components rounded (4.3.1).
+inline uint32_t pack_bgra(uint32_t pixel, GLenum type) {
+  const auto scaled = [pixel](uint32_t shift, uint32_t max) {
+    return ((pixel >> shift & 255) * max + 127) / 255;
+  };
+  switch (type) {
+    case GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT:
+      return scaled(16, 15) | scaled(8, 15) << 4 | scaled(0, 15) << 8 | scaled(24, 15) << 12;
+    case GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT:
+      return scaled(16, 31) | scaled(8, 31) << 5 | scaled(0, 31) << 10 | scaled(24, 1) << 15;
+    default:
+      return (pixel & 0xff00ff00u) | (pixel >> 16 & 255) | (pixel & 255) << 16;
   }
 }
 

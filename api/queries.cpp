@@ -178,16 +178,10 @@ const GLubyte* get_string(Context& c, GLenum name) {
       break;
     default:
       text =
-          "GL_OES_blend_equation_separate GL_OES_blend_func_separate GL_OES_blend_subtract "
-          "GL_OES_byte_coordinates GL_OES_compressed_paletted_texture GL_OES_element_index_uint "
-          "GL_OES_depth24 GL_OES_depth32 GL_OES_fbo_render_mipmap GL_OES_framebuffer_object "
-          "GL_OES_packed_depth_stencil GL_OES_rgb8_rgba8 GL_OES_stencil1 GL_OES_stencil4 "
-          "GL_OES_stencil8 GL_OES_surfaceless_context GL_OES_mapbuffer GL_EXT_map_buffer_range "
-          "GL_EXT_debug_marker GL_KHR_debug "
-          "GL_OES_vertex_array_object GL_EXT_multi_draw_arrays GL_EXT_discard_framebuffer "
-          "GL_OES_matrix_get GL_OES_point_size_array GL_OES_point_sprite GL_OES_query_matrix "
-          "GL_OES_read_format GL_OES_stencil_wrap GL_OES_texture_env_crossbar "
-          "GL_OES_texture_mirrored_repeat GL_OES_texture_npot";
+#define EXTENSION(name) "GL_" #name " "
+#include "api/extensions.def"
+#undef EXTENSION
+          ;
   }
   return reinterpret_cast<const GLubyte*>(text);
 }

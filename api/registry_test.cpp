@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,6 +32,22 @@ const std::vector<std::string> kListed = {
 #include "api/gles1.def"
 #undef CALL
 };
+// Second names, and the commands that they name.
+const std::map<std::string, std::string> kAliases = {
+#define ALIAS(name, command) {"gl" #name, "gl" #command},
+#include "api/gles1_aliases.def"
+#undef ALIAS
+};
+
+TEST(Registry, EveryAliasIsACommandOfAnExtension) {
+  const std::set<std::string> listed(kListed.begin(), kListed.end());
+  for (const auto& [name, command] : kAliases) {
+    EXPECT_TRUE(kExtension.count(name)) << name;
+    EXPECT_FALSE(listed.count(name)) << name;
+    EXPECT_TRUE(listed.count(command)) << command;
+    EXPECT_EQ(proc_address(name.c_str()), proc_address(command.c_str())) << name;
+  }
+}
 
 TEST(Registry, EveryListedCallIsACommandOfOpenGlEs1) {
   for (const std::string& name : kListed) {

@@ -83,6 +83,8 @@ class Formats : public Textures {
          [](const uint8_t* p) {
            return bytes(field(p, 11, 5), field(p, 6, 5), field(p, 1, 5), field(p, 0, 1));
          }},
+        {GL_BGRA_EXT, GL_UNSIGNED_BYTE, 4,
+         [of](const uint8_t* p) { return bytes(of(p, 2), of(p, 1), of(p, 0), of(p, 3)); }},
     };
   }
 };

@@ -112,11 +112,12 @@ bool generates(const TextureObject& texture, GLint level) {
 
 // Replaces one level, and those that follow from it.
 void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::ImageLevel to,
-                   GLenum format) {
+                   GLenum internal) {
   Levels levels;
   levels.push_back(std::move(to));
   if (generates(texture, level)) add_mipmaps(levels);
-  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), format, format);
+  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), internal,
+                 base_format(internal));
 }
 
 // Changes texels of one level, and the levels that follow from it.
@@ -127,7 +128,7 @@ void change_level(Context& c, TextureObject& texture, GLint level, const Change&
   if (generates(texture, level)) {
     pipeline::ImageLevel copy = texture.image->levels[index];
     change(copy);
-    replace_level(c, texture, level, std::move(copy), texture.level[index].format);
+    replace_level(c, texture, level, std::move(copy), texture.level[index].internal);
     return;
   }
   size_t bytes = 0;
@@ -173,15 +174,15 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
 
 }  // namespace
 
-void tex_image(Context& c, GLenum, GLint level, GLint, GLsizei width, GLsizei height, GLint,
-               GLenum format, GLenum type, const void* pixels) {
+void tex_image(Context& c, GLenum, GLint level, GLint internal, GLsizei width, GLsizei height,
+               GLint, GLenum format, GLenum type, const void* pixels) {
   pipeline::ImageLevel to = make_level(width, height);
   if (pixels) {
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  } else if (const uint32_t nothing = reduce(0, format)) {
+  } else if (const uint32_t nothing = reduce(0, base_format(static_cast<GLenum>(internal)))) {
     std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
-  replace_level(c, *c.active_unit().texture, level, std::move(to), format);
+  replace_level(c, *c.active_unit().texture, level, std::move(to), static_cast<GLenum>(internal));
 }
 
 void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
@@ -197,8 +198,8 @@ void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, G
   c.finish_frame();
   update_targets(c);
   pipeline::ImageLevel to = make_level(width, height);
-  std::fill(to.texels.begin(), to.texels.end(), reduce(0, internal));
-  copy_from_surface(c, to, internal, 0, 0, x, y, width, height);
+  std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
+  copy_from_surface(c, to, base_format(internal), 0, 0, x, y, width, height);
   replace_level(c, *c.active_unit().texture, level, std::move(to), internal);
 }
 

@@ -1,6 +1,7 @@
 // Validators of vertex arrays, buffer objects, drawing and reading.
 // SPDX-License-Identifier: MIT
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
@@ -96,15 +97,13 @@ GLenum clear(const Context& c, GLbitfield mask) {
 GLenum read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                    GLenum type, const void* pixels) {
   if (width < 0 || height < 0) return GL_INVALID_VALUE;
-  if (format != GL_RGBA && format != GL_RGB && format != GL_ALPHA && format != GL_LUMINANCE &&
-      format != GL_LUMINANCE_ALPHA) {
-    return GL_INVALID_ENUM;
-  }
+  if (!is_base_format(format) && format != GL_BGRA_EXT) return GL_INVALID_ENUM;
   if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT_5_6_5 &&
-      type != GL_UNSIGNED_SHORT_4_4_4_4 && type != GL_UNSIGNED_SHORT_5_5_5_1) {
+      type != GL_UNSIGNED_SHORT_4_4_4_4 && type != GL_UNSIGNED_SHORT_5_5_5_1 &&
+      type != GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT && type != GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT) {
     return GL_INVALID_ENUM;
   }
-  if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) return GL_INVALID_OPERATION;
+  if (read_bytes(format, type) == 0) return GL_INVALID_OPERATION;
   if (const GLenum error = read_framebuffer_error(c)) return error;
   return pixels ? GL_NO_ERROR : GL_INVALID_VALUE;
 }

@@ -28,7 +28,7 @@ bool is_destination_factor(GLenum factor) {
 }
 bool is_equation(GLenum mode) {
   return mode == GL_FUNC_ADD_OES || mode == GL_FUNC_SUBTRACT_OES ||
-         mode == GL_FUNC_REVERSE_SUBTRACT_OES;
+         mode == GL_FUNC_REVERSE_SUBTRACT_OES || mode == GL_MIN_EXT || mode == GL_MAX_EXT;
 }
 
 }  // namespace

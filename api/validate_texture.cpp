@@ -25,7 +25,7 @@ GLenum sub_rectangle(const Context& c, GLint level, GLint x, GLint y, GLsizei wi
   if (level < 0 || level >= kTextureLevels) return GL_INVALID_VALUE;
   const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
   // Neither an absent image nor a compressed one has parts (3.7.4).
-  if (to.internal == 0 || to.internal != to.format) return GL_INVALID_OPERATION;
+  if (base_format(to.internal) == 0) return GL_INVALID_OPERATION;
   const bool inside = x >= 0 && y >= 0 && width >= 0 && height >= 0 && width <= to.width &&
                       height <= to.height && x <= to.width - width && y <= to.height - height;
   return inside ? GL_NO_ERROR : GL_INVALID_VALUE;
@@ -34,7 +34,7 @@ GLenum sub_rectangle(const Context& c, GLint level, GLint x, GLint y, GLsizei wi
 GLenum format_and_type(GLenum format, GLenum type) {
   const bool known = type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT_5_6_5 ||
                      type == GL_UNSIGNED_SHORT_4_4_4_4 || type == GL_UNSIGNED_SHORT_5_5_5_1;
-  if (!is_base_format(format) || !known) return GL_INVALID_ENUM;
+  if ((!is_base_format(format) && format != GL_BGRA_EXT) || !known) return GL_INVALID_ENUM;
   return pixel_bytes(format, type) != 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
@@ -68,11 +68,12 @@ GLenum names(const Context&, GLsizei n, const GLuint*) {
 GLenum tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
                  GLsizei height, GLint border, GLenum format, GLenum type, const void*) {
   if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
-  if (!is_base_format(static_cast<GLenum>(internal))) return GL_INVALID_VALUE;
+  const GLenum held = static_cast<GLenum>(internal);
+  if (base_format(held) == 0) return GL_INVALID_VALUE;
   const GLenum pair = format_and_type(format, type);
   if (pair == GL_INVALID_ENUM) return pair;
   if (const GLenum error = level_and_size(level, width, height, border)) return error;
-  return static_cast<GLenum>(internal) == format ? pair : GL_INVALID_OPERATION;
+  return upload_format(held) == format && has_enough_bits(held, type) ? pair : GL_INVALID_OPERATION;
 }
 
 GLenum tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
@@ -81,15 +82,17 @@ GLenum tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLin
   const GLenum pair = format_and_type(format, type);
   if (pair == GL_INVALID_ENUM) return pair;
   if (const GLenum error = sub_rectangle(c, level, x, y, width, height)) return error;
-  const GLenum held = c.active_unit().texture->level[static_cast<size_t>(level)].format;
-  return held == format ? pair : GL_INVALID_OPERATION;
+  const GLenum held = c.active_unit().texture->level[static_cast<size_t>(level)].internal;
+  return upload_format(held) == format ? pair : GL_INVALID_OPERATION;
 }
 
 GLenum copy_tex_image(const Context& c, GLenum target, GLint level, GLenum internal, GLint, GLint,
                       GLsizei width, GLsizei height, GLint border) {
-  if (target != GL_TEXTURE_2D || !is_base_format(internal)) return GL_INVALID_ENUM;
+  if (target != GL_TEXTURE_2D || base_format(internal) == 0 || internal == GL_BGRA_EXT) {
+    return GL_INVALID_ENUM;
+  }
   if (const GLenum error = level_and_size(level, width, height, border)) return error;
-  return copied_format(c, internal);
+  return copied_format(c, base_format(internal));
 }
 
 GLenum copy_tex_sub_image(const Context& c, GLenum target, GLint level, GLint xoffset,

@@ -11,9 +11,9 @@ import sys
 source, build = sys.argv[1:]
 
 
-def listed(path, prefix):
+def listed(path, prefix, entry=r"^CALL\([^,]*, (\w+),"):
     with open(f"{source}/{path}", encoding="utf-8") as lines:
-        return {prefix + name for name in re.findall(r"^CALL\([^,]*, (\w+),", lines.read(), re.M)}
+        return {prefix + name for name in re.findall(entry, lines.read(), re.M)}
 
 
 def exported(library):
@@ -28,7 +28,8 @@ def dynamic(library, tag):
     return re.findall(rf"\({tag}\)[^\[]*\[(.*)\]", output)
 
 
-gl, egl = listed("api/gles1.def", "gl"), listed("icd/egl15.def", "egl")
+gl = listed("api/gles1.def", "gl") | listed("api/gles1_aliases.def", "gl", r"^ALIAS\((\w+),")
+egl = listed("icd/egl15.def", "egl")
 failures = 0
 
 

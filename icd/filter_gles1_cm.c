@@ -4,3 +4,5 @@
   __attribute__((visibility("default"))) void gl##name(void); \
   void gl##name(void) { __builtin_trap(); }
 #include "api/gles1.def"
+#define ALIAS(name, command) CALL(void, name)
+#include "api/gles1_aliases.def"
