@@ -63,7 +63,7 @@ void run_back(const std::vector<DrawRecord>& draws,
       const DrawRecord& draw = draws[primitive.draw];
       PrimitivePlanes planes;
       make_planes(draw.setup, primitive, planes);
-      shade(*draw.program->program, planes, coverage, tile);
+      shade(*draw.program, planes, coverage, tile);
     }
   }
   if (touched) {

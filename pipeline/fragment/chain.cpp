@@ -18,6 +18,7 @@
 #include <hwy/highway.h>
 
 #include "pipeline/fragment/alpha_test-inl.h"
+#include "pipeline/fragment/antialias-inl.h"
 #include "pipeline/fragment/depth_stencil-inl.h"
 #include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
@@ -37,6 +38,10 @@ struct StageContext {
 
 // The stages of stages.def.
 namespace stage {
+
+void smooth_coverage(const StageContext& context, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::smooth_coverage(context.planes.region, batch);
+}
 
 void interpolate_w(const StageContext& context, FragmentBatch& batch, int) {
   if (context.planes.perspective) fragment::HWY_NAMESPACE::interpolate_w(context.planes, batch);
@@ -72,6 +77,14 @@ void fog(const StageContext& context, FragmentBatch& batch, int) {
   FogConstants constants{p.fog_mode, p.fog_scale, p.fog_offset, {}};
   std::copy_n(p.fog_colour, 3, constants.colour);
   apply_fog(context.planes, constants, batch);
+}
+
+void apply_coverage(const StageContext&, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::apply_coverage(batch);
+}
+
+void fade_point(const StageContext& context, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::fade_point(context.planes.point_fade, batch);
 }
 
 void alpha_test(const StageContext& context, FragmentBatch& batch, int) {

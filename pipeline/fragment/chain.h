@@ -32,7 +32,7 @@ struct UnitProgram {
 
 struct FragmentProgram {
   FragmentInputs inputs;
-  std::array<ChainStep, 8 + 2 * kMaxTextureUnits> steps;
+  std::array<ChainStep, 12 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
 
   bool early_depth = false;  // the depth test runs on rows, before batches are filled

@@ -58,13 +58,16 @@ void set_unit(const TextureUnit& unit, UnitProgram& out) {
   std::transform(constant, constant + 4, out.constant, to_fixed);
 }
 
-void select_stages(const FragmentState& state, FragmentProgram& program) {
+void select_stages(const FragmentState& state, FragmentCoverage coverage,
+                   FragmentProgram& program) {
   const auto add = [&](FragmentStage stage, int unit = 0) {
     program.steps[program.step_count++] = {stage, static_cast<uint8_t>(unit)};
   };
   const bool tests = program.depth_test || program.stencil.enabled;
   const bool tests_in_chain = tests && !program.early_depth;
   program.uses_depth_stencil = tests_in_chain;
+  const bool smooth = coverage == FragmentCoverage::kSmooth;
+  if (smooth) add(FragmentStage::smooth_coverage);
   if (tests_in_chain && !state.alpha_test) add(FragmentStage::test_depth_stencil);
 
   const bool colour = program.colour_mask != 0;
@@ -84,6 +87,8 @@ void select_stages(const FragmentState& state, FragmentProgram& program) {
       program.inputs.fog = true;
       add(FragmentStage::fog);
     }
+    if (smooth) add(FragmentStage::apply_coverage);
+    if (coverage == FragmentCoverage::kMultisamplePoint) add(FragmentStage::fade_point);
   }
   if (state.alpha_test) {
     add(FragmentStage::alpha_test);
@@ -100,16 +105,18 @@ void select_stages(const FragmentState& state, FragmentProgram& program) {
 
 }  // namespace
 
-FragmentProgram* make_fragment_program(const FragmentState& state, bool has_depth,
-                                       bool has_stencil) {
+FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
+                                       FragmentCoverage coverage) {
   auto* program = new FragmentProgram;
-  program->depth_test = state.depth_test && has_depth;
+  program->depth_test = state.depth_test && target.has_depth;
   program->depth_write = program->depth_test && state.depth_write;
   program->depth_func = state.depth_func;
   program->inputs.depth = program->depth_test;
   program->stencil = state.stencil;
-  program->stencil.enabled = state.stencil.enabled && has_stencil;
-  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test;
+  program->stencil.enabled = state.stencil.enabled && target.has_stencil;
+  // An antialiased fragment that covers nothing must not be tested, so its coverage comes first.
+  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test &&
+                         coverage != FragmentCoverage::kSmooth;
   program->alpha_func = state.alpha_func;
   program->alpha_reference = static_cast<int16_t>(std::nearbyint(state.alpha_reference * 255.0f));
   program->blend = state.blend;
@@ -119,7 +126,7 @@ FragmentProgram* make_fragment_program(const FragmentState& state, bool has_dept
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (state.unit[u].enabled) set_unit(state.unit[u], program->unit[u]);
   }
-  select_stages(state, *program);
+  select_stages(state, coverage, *program);
   return program;
 }
 
