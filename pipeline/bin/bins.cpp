@@ -28,9 +28,7 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
   const bool test = last_column - first_column > 0 && last_row - first_row > 0;
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
-      TileEdges edges;
-      if (test && classify_tile(primitive, column * kTileWidth, row * kTileHeight, edges) ==
-                      TileOverlap::kOutside) {
+      if (test && misses_tile(primitive, column * kTileWidth, row * kTileHeight)) {
         continue;
       }
       const uint32_t tile = static_cast<uint32_t>(row * grid_.columns + column);

@@ -82,10 +82,10 @@ void run_back(const std::vector<DrawRecord>& draws,
         continue;
       }
       const DrawRecord& draw = draws[primitive.draw];
-      planes.prepare(draw.program->outputs, is_whole(coverage));
+      planes.prepare(draw.outputs, is_whole(coverage));
       PrimitivePlanes attributes;
       make_planes(draw.setup, primitive, attributes);
-      shade(*draw.program->program, attributes, coverage, tile);
+      shade(*draw.program, attributes, coverage, tile);
     }
   }
   planes.store();

@@ -80,7 +80,7 @@ struct Frame::Impl {
     }
   }
 
-  const ProgramHolder* current_program() {
+  ProgramHolder& current_program() {
     if (!program) {
       auto holder = std::make_shared<ProgramHolder>();
       holder->state = fragment_state;
@@ -90,17 +90,26 @@ struct Frame::Impl {
       if (!target.colour) {
         holder->state.colour_mask = 0;
       }
-      holder->program = make_fragment_program(
-          holder->state, target.depth_stencil && target.depth_stencil->has_depth,
-          target.depth_stencil && target.depth_stencil->has_stencil);
-      holder->inputs = fragment_inputs(*holder->program);
-      holder->outputs = fragment_outputs(*holder->program);
+      if (target.depth_stencil) {
+        holder->target.has_depth = target.depth_stencil->has_depth;
+        holder->target.has_stencil = target.depth_stencil->has_stencil;
+      }
       program = std::move(holder);
     }
     if (programs.empty() || programs.back() != program) {
       programs.push_back(program);
     }
-    return program.get();
+    return *program;
+  }
+
+  // 3.3, 3.4: antialiasing of points and lines; sprites ignore it.
+  FragmentCoverage coverage_of(Primitive primitive) const {
+    const bool point = primitive == Primitive::kPoints;
+    const bool line = primitive == Primitive::kLines || primitive == Primitive::kLineLoop ||
+                      primitive == Primitive::kLineStrip;
+    const bool smooth = (point && raster_state.point_smooth && !raster_state.point_sprite) ||
+                        (line && raster_state.line_smooth);
+    return smooth ? FragmentCoverage::kSmooth : FragmentCoverage::kCentre;
   }
 
   // Window y of window-system surfaces is computed as Mesa does, counting from the top; setup
@@ -117,7 +126,8 @@ struct Frame::Impl {
 
   void record(const DrawCommand& command, uint32_t count) {
     DrawRecord draw;
-    draw.program = current_program();
+    const FragmentCoverage coverage = coverage_of(command.primitive);
+    draw.program = current_program().program(coverage);
     if (recorded_vertex == nullptr) {
       recorded_vertex = new (arena.allocate(sizeof(VertexState))) VertexState(vertex_state);
     }
@@ -125,7 +135,10 @@ struct Frame::Impl {
     draw.setup.raster = raster_state;
     draw.setup.layout = make_vertex_layout(vertex_state);
     draw.setup.bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
-    draw.setup.inputs = draw.program->inputs;
+    draw.setup.coverage = coverage;
+    draw.setup.point_fade_threshold = vertex_state.point_fade_threshold;
+    draw.setup.inputs = fragment_inputs(*draw.program);
+    draw.outputs = fragment_outputs(*draw.program);
     draw.setup.inputs.texture_units &= draw.setup.layout.texture_units;
     draw.setup.mirror_height = target.mirrored ? target.height : 0;
     draw.setup.two_sided = draw.setup.layout.back_colour_offset != 0;

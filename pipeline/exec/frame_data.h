@@ -23,20 +23,22 @@ namespace clearpipe::pipeline {
 inline constexpr uint32_t kPacketPrimitives = 512;
 inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 
-// A fragment state with its program; keeps the images the program samples.
+// A fragment state with its programs, made when first drawn with; keeps the images they sample.
 struct ProgramHolder {
-  FragmentState state;
-  FragmentProgram* program = nullptr;
-  FragmentInputs inputs;
-  FragmentOutputs outputs;
+  struct Destroy {
+    void operator()(FragmentProgram* program) const { destroy_fragment_program(program); }
+  };
 
-  ProgramHolder() = default;
-  ProgramHolder(const ProgramHolder&) = delete;
-  ProgramHolder& operator=(const ProgramHolder&) = delete;
-  ~ProgramHolder() {
-    if (program != nullptr) {
-      destroy_fragment_program(program);
+  FragmentState state;
+  FragmentTarget target;
+  std::unique_ptr<FragmentProgram, Destroy> programs[kFragmentCoverages];
+
+  const FragmentProgram* program(FragmentCoverage coverage) {
+    auto& made = programs[static_cast<int>(coverage)];
+    if (!made) {
+      made.reset(make_fragment_program(state, target, coverage));
     }
+    return made.get();
   }
 };
 
@@ -45,7 +47,8 @@ struct DrawRecord {
   DrawCommand command;
   uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
   const VertexState* vertex = nullptr;
-  const ProgramHolder* program = nullptr;
+  const FragmentProgram* program = nullptr;
+  FragmentOutputs outputs;
   SetupState setup;
   ClipState clip;
 };

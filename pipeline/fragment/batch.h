@@ -32,6 +32,7 @@ struct FragmentBatch {
   alignas(64) float lod[kBatchSize];  // log2 of the scale factor rho, before bias and clamping
 
   alignas(64) int16_t live[kBatchSize];                   // -1: the fragment lives; 0: discarded
+  alignas(64) int16_t coverage[kBatchSize];               // of antialiased points and lines
   alignas(64) uint16_t offset[kBatchSize];                // index into the tile's planes
   alignas(64) uint32_t stored_depth_stencil[kBatchSize];  // gathered from the tile
   alignas(64) uint32_t stored_colour[kBatchSize];

@@ -18,6 +18,7 @@
 #include <hwy/highway.h>
 
 #include "pipeline/fragment/alpha_test-inl.h"
+#include "pipeline/fragment/antialias-inl.h"
 #include "pipeline/fragment/depth_stencil-inl.h"
 #include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
@@ -37,6 +38,10 @@ struct StageContext {
 
 // The stages of stages.def.
 namespace stage {
+
+void smooth_coverage(const StageContext& context, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::smooth_coverage(context.planes.region, batch);
+}
 
 void interpolate_w(const StageContext& context, FragmentBatch& batch, int) {
   if (context.planes.perspective) fragment::HWY_NAMESPACE::interpolate_w(context.planes, batch);
@@ -69,6 +74,14 @@ void texture_environment(const StageContext& context, FragmentBatch& batch, int 
 
 void fog(const StageContext& context, FragmentBatch& batch, int) {
   apply_fog(context.planes, fog_constants(context.program), batch);
+}
+
+void apply_coverage(const StageContext&, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::apply_coverage(batch);
+}
+
+void fade_point(const StageContext& context, FragmentBatch& batch, int) {
+  fragment::HWY_NAMESPACE::fade_point(context.planes.point_fade, batch);
 }
 
 void alpha_test(const StageContext& context, FragmentBatch& batch, int) {

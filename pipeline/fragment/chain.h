@@ -37,7 +37,7 @@ using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePl
 struct FragmentProgram {
   FusedFunction fused = nullptr;  // null: the chain
   FragmentInputs inputs;
-  std::array<ChainStep, 8 + 2 * kMaxTextureUnits> steps;
+  std::array<ChainStep, 12 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
 
   bool early_depth = false;  // the depth test runs on rows, before batches are filled
@@ -45,6 +45,7 @@ struct FragmentProgram {
   CompareFunc depth_func = CompareFunc::kAlways;
   StencilState stencil;
   bool uses_depth_stencil = false;  // the chain reads and writes the stored values
+  bool antialiased = false;         // a fragment's coverage may be less than one, or nothing
   bool alpha_test = false;
   CompareFunc alpha_func = CompareFunc::kAlways;
   int16_t alpha_reference = 0;  // 0 to 255

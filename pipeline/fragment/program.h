@@ -20,11 +20,34 @@ struct Plane {
   float value = 0, dx = 0, dy = 0;
 };
 
+// How a fragment comes about and what it covers (3.2).
+enum class FragmentCoverage : uint8_t {
+  kCentre,            // the pixel's centre is covered; all of the pixel is then
+  kSmooth,            // antialiased points and lines: the area covered is a factor of alpha (3.9)
+  kMultisample,       // some of the pixel's samples are covered (3.2.1)
+  kMultisamplePoint,  // the same, and the fade factor multiplies alpha (3.10)
+};
+inline constexpr int kFragmentCoverages = 4;
+
+constexpr bool is_multisample(FragmentCoverage coverage) {
+  return coverage >= FragmentCoverage::kMultisample;
+}
+
+// The region an antialiased point or line covers, relative to the planes' reference: a circle
+// (3.3.1) or the rectangle around the segment to (dx, dy) (3.4.2).
+struct SmoothRegion {
+  bool is_circle = false;
+  float half_width = 0;
+  float dx = 0, dy = 0;
+};
+
 // The planes of one primitive. Varyings other than depth are divided by w_clip when `perspective`.
 struct PrimitivePlanes {
   float x_ref = 0, y_ref = 0;  // window coordinates; pixel (i, j) has its centre at i+0.5, j+0.5
   bool perspective = false;    // false: 1/w is the same at all vertices, inv_w is not evaluated
   bool flat_colour = false;    // the colour planes are constant: dx = dy = 0 and not divided by w
+  SmoothRegion region;         // with FragmentCoverage::kSmooth
+  float point_fade = 1;        // with FragmentCoverage::kMultisamplePoint (equation 3.2)
   Plane depth;                 // window z, [0,1], polygon offset added (clamped per fragment)
   Plane inv_w;
   Plane fog;                           // fog coordinate
@@ -34,10 +57,13 @@ struct PrimitivePlanes {
 
 struct FragmentProgram;  // opaque outside fragment/
 
-// Select and build the program of a state. The result is owned by the caller's arena through
-// destroy_fragment_program.
-FragmentProgram* make_fragment_program(const FragmentState& state, bool has_depth,
-                                       bool has_stencil);
+// Select and build the program of a state, for fragments that come about in one way. The result is
+// owned by the caller's arena through destroy_fragment_program.
+struct FragmentTarget {
+  bool has_depth = false, has_stencil = false;
+};
+FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
+                                       FragmentCoverage coverage);
 void destroy_fragment_program(FragmentProgram* program);
 
 // Which varyings the program reads, so that setup computes no other plane.

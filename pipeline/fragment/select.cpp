@@ -67,13 +67,16 @@ bool fused_allowed() {
   return text == nullptr || std::strcmp(text, "0") != 0;
 }
 
-void select_stages(const FragmentState& state, FragmentProgram& program) {
+void select_stages(const FragmentState& state, FragmentCoverage coverage,
+                   FragmentProgram& program) {
   const auto add = [&](FragmentStage stage, int unit = 0) {
     program.steps[program.step_count++] = {stage, static_cast<uint8_t>(unit)};
   };
   const bool tests = program.depth_test || program.stencil.enabled;
   const bool tests_in_chain = tests && !program.early_depth;
   program.uses_depth_stencil = tests_in_chain;
+  const bool smooth = coverage == FragmentCoverage::kSmooth;
+  if (smooth) add(FragmentStage::smooth_coverage);
   if (tests_in_chain && !state.alpha_test) add(FragmentStage::test_depth_stencil);
 
   const bool colour = program.colour_mask != 0;
@@ -93,6 +96,8 @@ void select_stages(const FragmentState& state, FragmentProgram& program) {
       program.inputs.fog = true;
       add(FragmentStage::fog);
     }
+    if (smooth) add(FragmentStage::apply_coverage);
+    if (coverage == FragmentCoverage::kMultisamplePoint) add(FragmentStage::fade_point);
   }
   if (state.alpha_test) {
     add(FragmentStage::alpha_test);
@@ -109,17 +114,20 @@ void select_stages(const FragmentState& state, FragmentProgram& program) {
 
 }  // namespace
 
-FragmentProgram* make_fragment_program(const FragmentState& state, bool has_depth,
-                                       bool has_stencil) {
+FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
+                                       FragmentCoverage coverage) {
   auto* program = new FragmentProgram;
-  program->depth_test = state.depth_test && has_depth;
+  program->depth_test = state.depth_test && target.has_depth;
   program->depth_write = program->depth_test && state.depth_write;
   program->depth_func = state.depth_func;
   program->inputs.depth = program->depth_test;
   program->stencil = state.stencil;
-  program->stencil.enabled = state.stencil.enabled && has_stencil;
-  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test;
+  program->stencil.enabled = state.stencil.enabled && target.has_stencil;
+  // An antialiased fragment that covers nothing must not be tested, so its coverage comes first.
+  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test &&
+                         coverage != FragmentCoverage::kSmooth;
   program->alpha_test = state.alpha_test;
+  program->antialiased = coverage == FragmentCoverage::kSmooth;
   program->alpha_func = state.alpha_func;
   program->alpha_reference = static_cast<int16_t>(std::nearbyint(state.alpha_reference * 255.0f));
   program->blend = state.blend;
@@ -130,9 +138,9 @@ FragmentProgram* make_fragment_program(const FragmentState& state, bool has_dept
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (state.unit[u].enabled) set_unit(state.unit[u], program->unit[u]);
   }
-  select_stages(state, *program);
+  select_stages(state, coverage, *program);
   static const bool allowed = fused_allowed();
-  if (allowed) program->fused = select_fused(*program);
+  if (allowed && !program->antialiased) program->fused = select_fused(*program);
   return program;
 }
 
@@ -147,7 +155,8 @@ FragmentOutputs fragment_outputs(const FragmentProgram& program) {
   outputs.depth_stencil_read = program.depth_test || stencil;
   outputs.depth_stencil_write = program.depth_write || stencil;
   outputs.replaces = program.colour_mask == 0xffffffffu && !outputs.depth_stencil_read &&
-                     !program.alpha_test && !program.blend.enabled && !program.has_logic_op;
+                     !program.alpha_test && !program.blend.enabled && !program.has_logic_op &&
+                     !program.antialiased;
   return outputs;
 }
 

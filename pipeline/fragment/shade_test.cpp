@@ -22,6 +22,7 @@ struct Bench {
   PrimitivePlanes planes;
   Tile tile{};
   Coverage coverage{};
+  FragmentCoverage coverage_kind = FragmentCoverage::kCentre;
 
   Bench() {
     planes.flat_colour = true;
@@ -36,7 +37,7 @@ struct Bench {
 
   void run() {
     const std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program(
-        make_fragment_program(state, true, true), destroy_fragment_program);
+        make_fragment_program(state, {true, true}, coverage_kind), destroy_fragment_program);
     shade(*program, planes, coverage, tile);
   }
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "pipeline/simd.h"
 
@@ -99,15 +100,67 @@ static CoverRowsFunction cover_rows() {
   return function;
 }
 
+// The part of a tile, in its columns and rows, that the box of a primitive takes; half-open.
+struct TilePart {
+  int x0, y0, x1, y1;
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+};
+
+static TilePart part_of_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
+  return {std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
+          std::min(primitive.x1 - tile_x, kTileWidth),
+          std::min(primitive.y1 - tile_y, kTileHeight)};
+}
+
+static uint64_t columns_mask(int first, int end) {
+  return first < end ? (~uint64_t{0} >> (kTileWidth - (end - first))) << first : 0;
+}
+
+static void cover_circle(const Circle& circle, int tile_x, int tile_y, const TilePart& part,
+                         const SamplePlace& place, uint64_t* rows) {
+  for (int row = part.y0; row < part.y1; ++row) {
+    const Span span = circle_span(circle, tile_y + row, place);
+    rows[row] =
+        columns_mask(std::max(span.first - tile_x, part.x0), std::min(span.end - tile_x, part.x1));
+  }
+}
+
+// Coverage of one place of each pixel of the part.
+static bool cover_place(const PrimitiveRecord& primitive, int tile_x, int tile_y,
+                        const TilePart& part, const SamplePlace& place, Coverage& coverage) {
+  coverage.first_row = coverage.last_row = 0;
+  if (primitive.is_circle) {
+    cover_circle(primitive.circle, tile_x, tile_y, part, place, coverage.rows);
+  } else {
+    TileEdges edges;
+    if (classify_tile(primitive, tile_x, tile_y, place, edges) == TileOverlap::kOutside) {
+      return false;
+    }
+    cover_rows()(edges, part.x0, part.x1, part.y0, part.y1, coverage.rows);
+  }
+  const uint64_t columns = columns_mask(part.x0, part.x1);
+  int first = part.y1, last = part.y0;
+  for (int row = part.y0; row < part.y1; ++row) {
+    coverage.rows[row] &= columns;
+    if (coverage.rows[row] != 0) {
+      first = std::min(first, row);
+      last = row + 1;
+    }
+  }
+  coverage.first_row = first;
+  coverage.last_row = std::max(first, last);
+  return first < last;
+}
+
 }  // namespace raster
 
 TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y,
-                          TileEdges& edges) {
+                          const SamplePlace& place, TileEdges& edges) {
   edges.count = 0;
   for (int i = 0; i < primitive.edge_count; ++i) {
     const Edge& edge = primitive.edges[i];
-    const int64_t corner =
-        edge.c + static_cast<int64_t>(edge.a) * tile_x + static_cast<int64_t>(edge.b) * tile_y;
+    const int64_t corner = edge.at(place.x, place.y) + static_cast<int64_t>(edge.a) * tile_x +
+                           static_cast<int64_t>(edge.b) * tile_y;
     const int32_t across = edge.a * (kTileWidth - 1);
     const int32_t up = edge.b * (kTileHeight - 1);
     const int64_t least = corner + std::min(across, 0) + std::min(up, 0);
@@ -126,31 +179,30 @@ TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile
   return edges.count == 0 ? TileOverlap::kInside : TileOverlap::kPartial;
 }
 
-bool cover_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y, Coverage& coverage) {
-  const int x0 = std::max(primitive.x0 - tile_x, 0);
-  const int x1 = std::min(primitive.x1 - tile_x, kTileWidth);
-  const int y0 = std::max(primitive.y0 - tile_y, 0);
-  const int y1 = std::min(primitive.y1 - tile_y, kTileHeight);
-  if (x0 >= x1 || y0 >= y1) {
-    return false;
-  }
+bool misses_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
   TileEdges edges;
-  if (classify_tile(primitive, tile_x, tile_y, edges) == TileOverlap::kOutside) {
-    return false;
+  const auto misses = [&](const SamplePlace& place) {
+    return classify_tile(primitive, tile_x, tile_y, place, edges) == TileOverlap::kOutside;
+  };
+  return primitive.multisample
+             ? std::all_of(std::begin(kSamplePlaces), std::end(kSamplePlaces), misses)
+             : misses(kCentrePlace);
+}
+
+bool cover_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y, Coverage& coverage) {
+  const raster::TilePart part = raster::part_of_tile(primitive, tile_x, tile_y);
+  return !part.empty() &&
+         raster::cover_place(primitive, tile_x, tile_y, part, kCentrePlace, coverage);
+}
+
+bool cover_samples(const PrimitiveRecord& primitive, int tile_x, int tile_y,
+                   Coverage coverage[kSampleCount]) {
+  const raster::TilePart part = raster::part_of_tile(primitive, tile_x, tile_y);
+  bool any = false;
+  for (int s = 0; s < kSampleCount && !part.empty(); ++s) {
+    any |= raster::cover_place(primitive, tile_x, tile_y, part, kSamplePlaces[s], coverage[s]);
   }
-  raster::cover_rows()(edges, x0, x1, y0, y1, coverage.rows);
-  const uint64_t columns = (~uint64_t{0} >> (kTileWidth - (x1 - x0))) << x0;
-  int first = y1, last = y0;
-  for (int row = y0; row < y1; ++row) {
-    coverage.rows[row] &= columns;
-    if (coverage.rows[row] != 0) {
-      first = std::min(first, row);
-      last = row + 1;
-    }
-  }
-  coverage.first_row = first;
-  coverage.last_row = last;
-  return first < last;
+  return any;
 }
 
 }  // namespace clearpipe::pipeline

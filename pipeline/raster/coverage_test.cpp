@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -38,8 +39,30 @@ std::vector<int> count_hits(const std::vector<PrimitiveRecord>& primitives) {
   return hits;
 }
 
+// One bit per sample and pixel.
+std::vector<int> hit_samples(const PrimitiveRecord& primitive) {
+  std::vector<int> hits(kSize * kSize);
+  for (int ty = 0; ty < kSize; ty += kTileHeight) {
+    for (int tx = 0; tx < kSize; tx += kTileWidth) {
+      Coverage coverage[kSampleCount];
+      const bool any = cover_samples(primitive, tx, ty, coverage);
+      EXPECT_FALSE(any && misses_tile(primitive, tx, ty));
+      for (int s = 0; any && s < kSampleCount; ++s) {
+        for (int row = coverage[s].first_row; row < coverage[s].last_row; ++row) {
+          for (int x = 0; x < kTileWidth; ++x) {
+            hits[(ty + row) * kSize + tx + x] |= static_cast<int>(coverage[s].rows[row] >> x & 1)
+                                                 << s;
+          }
+        }
+      }
+    }
+  }
+  return hits;
+}
+
 // The rule by exact arithmetic: positive, or zero on an edge that is left or bottom.
-bool inside(const SnappedPoint* corners, int count, int px, int py) {
+bool inside(const SnappedPoint* corners, int count, int px, int py,
+            const SamplePlace& place = kCentrePlace) {
   int64_t area = 0;
   for (int i = 0; i < count; ++i) {
     const SnappedPoint &p = corners[i], &q = corners[(i + 1) % count];
@@ -49,7 +72,8 @@ bool inside(const SnappedPoint* corners, int count, int px, int py) {
     SnappedPoint p = corners[i], q = corners[(i + 1) % count];
     if (area < 0) std::swap(p, q);
     const int64_t dx = q.x - p.x, dy = q.y - p.y;
-    const int64_t value = dx * (int64_t{py} * 256 - p.y) - dy * (int64_t{px} * 256 - p.x);
+    const int64_t value =
+        dx * (int64_t{py} * 256 + place.y - p.y) - dy * (int64_t{px} * 256 + place.x - p.x);
     const bool owned = dy < 0 || (dy == 0 && dx > 0);
     if (value < 0 || (value == 0 && !owned)) return false;
   }
@@ -71,6 +95,108 @@ TEST(Coverage, EqualsExactArithmeticForRandomPolygons) {
       for (int x = 0; x < kSize; ++x) {
         ASSERT_EQ(hits[y * kSize + x], inside(corners, 3, x, y) ? 1 : 0)
             << "round " << round << " pixel " << x << "," << y;
+      }
+    }
+  }
+}
+
+TEST(Coverage, SamplesEqualExactArithmeticForRandomPolygons) {
+  std::mt19937 random(4);
+  SetupState state = test_state();
+  state.coverage = FragmentCoverage::kMultisample;
+  for (int round = 0; round < 300; ++round) {
+    const int range = round % 3 == 0 ? 2000 : (round % 3 == 1 ? kSize * 256 : 6000000);
+    std::uniform_int_distribution<int> coordinate(-range / 4, range);
+    SnappedPoint corners[3];
+    // Multiples of 32 put many samples exactly on edges.
+    for (SnappedPoint& corner : corners) {
+      corner = {coordinate(random), coordinate(random)};
+      if (round % 2 == 0) corner = {corner.x & ~31, corner.y & ~31};
+    }
+    PrimitiveRecord primitive;
+    std::vector<int> hits(kSize * kSize);
+    if (set_polygon(state, corners, 3, primitive)) hits = hit_samples(primitive);
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        int expected = 0;
+        for (int s = 0; s < kSampleCount; ++s) {
+          expected |= static_cast<int>(inside(corners, 3, x, y, kSamplePlaces[s])) << s;
+        }
+        ASSERT_EQ(hits[y * kSize + x], expected) << "round " << round << " pixel " << x << "," << y;
+      }
+    }
+  }
+}
+
+// A point as setup makes it: its record has y counted upwards when mirror_height is 0.
+PrimitiveRecord round_point(const SetupState& state, float x, float y, float size, float* vertex) {
+  vertex[vertex_record::kWindow] = x;
+  vertex[vertex_record::kWindow + 1] = y;
+  vertex[vertex_record::kPointSize] = size;
+  PrimitiveRecord primitive;
+  EXPECT_TRUE(setup_point(state, vertex, primitive));
+  return primitive;
+}
+
+TEST(Coverage, SamplesOfRoundPointsLieInTheCircle) {
+  std::mt19937 random(6);
+  SetupState state = test_state();
+  state.coverage = FragmentCoverage::kMultisamplePoint;
+  for (int round = 0; round < 200; ++round) {
+    // Exact in 1/256 pixel, so that snapping changes nothing.
+    const float x = static_cast<float>(random() % (kSize * 256)) / 256;
+    const float y = static_cast<float>(random() % (kSize * 256)) / 256;
+    const int size = 1 + static_cast<int>(random() % (round % 2 == 0 ? 255 : 5));
+    float vertex[vertex_record::kTexture] = {};
+    const std::vector<int> hits =
+        hit_samples(round_point(state, x, y, static_cast<float>(size), vertex));
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) {
+        for (int s = 0; s < kSampleCount; ++s) {
+          const double dx = i + 0.5 + kSamplePlaces[s].x / 256.0 - x;
+          const double dy = j + 0.5 + kSamplePlaces[s].y / 256.0 - y;
+          ASSERT_EQ(hits[j * kSize + i] >> s & 1, 4 * (dx * dx + dy * dy) <= size * size ? 1 : 0)
+              << x << "," << y << " size " << size << " sample " << s;
+        }
+      }
+    }
+  }
+}
+
+// Every pixel whose square the region touches is there: what is too much costs time only.
+TEST(Coverage, AntialiasedShapesReachEverySquareTheyTouch) {
+  std::mt19937 random(7);
+  SetupState state = test_state();
+  state.coverage = FragmentCoverage::kSmooth;
+  for (int round = 0; round < 200; ++round) {
+    const auto number = [&](double low, double high) {
+      return static_cast<float>(low + (high - low) * (random() % 65536) / 65536.0);
+    };
+    const float x0 = number(0, kSize), y0 = number(0, kSize);
+    const float x1 = number(0, kSize), y1 = number(0, kSize);
+    const float width = number(1, round % 2 == 0 ? 4 : 100);
+    float v0[vertex_record::kTexture] = {}, v1[vertex_record::kTexture] = {};
+    PrimitiveRecord primitive = round_point(state, x0, y0, width, v0);
+    if (round % 4 > 1) {
+      v1[vertex_record::kWindow] = x1;
+      v1[vertex_record::kWindow + 1] = y1;
+      state.raster.line_width = width;
+      primitive = {};
+      ASSERT_TRUE(setup_line(state, v0, v1, primitive));
+    }
+    const std::vector<int> hits = count_hits({primitive});
+    const double length = std::hypot(x1 - x0, y1 - y0);
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) {
+        bool touched = false;
+        for (int k = 0; k < 25 && !touched; ++k) {
+          const double dx = i + k % 5 / 4.0 - x0, dy = j + k / 5 / 4.0 - y0;
+          const double along = (dx * (x1 - x0) + dy * (y1 - y0)) / length;
+          const double across = (dy * (x1 - x0) - dx * (y1 - y0)) / length;
+          touched = round % 4 > 1 ? along >= 0 && along <= length && std::fabs(across) <= width / 2
+                                  : std::hypot(dx, dy) <= width / 2;
+        }
+        ASSERT_TRUE(!touched || hits[j * kSize + i] == 1) << round << ": " << i << "," << j;
       }
     }
   }

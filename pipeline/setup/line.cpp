@@ -3,9 +3,12 @@
 // the diamond-exit rule names are covered.
 //
 // All of it is said for an x-major line; a y-major one is the same with the axes exchanged.
+//
+// Antialiased and multisampled lines are rectangles along the line.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "pipeline/setup/primitive.h"
 
@@ -51,6 +54,36 @@ Point move_to_column_border(const Point& p, const EndPoint& end, float slope, fl
   return {p.major + offset, p.minor + offset * slope};
 }
 
+// 3.4.2, 3.4.4: two edges at half the width from the line, two through the end points.
+bool setup_rectangle(const SetupState& state, const float* w0, const float* w1,
+                     PrimitiveRecord& out) {
+  const float dx = w1[0] - w0[0];
+  const float dy = w1[1] - w0[1];
+  const float square = dx * dx + dy * dy;
+  if (square < 1e-6f) {
+    return false;  // no area that shows
+  }
+  const float scale = 0.5f * supported_width(state.raster.line_width) / std::sqrt(square);
+  const float nx = -dy * scale, ny = dx * scale;
+  const float x[4] = {w0[0] - nx, w1[0] - nx, w1[0] + nx, w0[0] + nx};
+  const float y[4] = {w0[1] - ny, w1[1] - ny, w1[1] + ny, w0[1] + ny};
+  SnappedPoint corners[4];
+  for (int i = 0; i < 4; ++i) {
+    corners[i] = {snap(x[i] - 0.5f), mirror(state, snap(y[i] - 0.5f))};
+  }
+  if (!set_polygon(state, corners, 4, out)) {
+    return false;
+  }
+  if (state.coverage == FragmentCoverage::kSmooth) {
+    // A square is touched when its corner towards the inside is inside.
+    for (Edge& edge : out.edges) {
+      edge.c += (std::abs(static_cast<int64_t>(edge.a)) + std::abs(static_cast<int64_t>(edge.b))) *
+                reach_of(state.coverage);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out) {
@@ -60,6 +93,14 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
   const float dy = w1[1] - w0[1];
   if (dx == 0 && dy == 0) {
     return false;
+  }
+  out.kind = PrimitiveKind::kLine;
+  out.vertex[0] = v0;
+  out.vertex[1] = v1;
+  out.back_facing = false;
+  if (state.coverage != FragmentCoverage::kCentre) {
+    out.size = 0;
+    return setup_rectangle(state, w0, w1, out);
   }
   const bool x_major = std::fabs(dx) >= std::fabs(dy);
   Point start = x_major ? Point{w0[0], w0[1]} : Point{w0[1], w0[0]};
@@ -81,7 +122,7 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
     end = move_to_column_border(end, e, slope, end_drawn ? direction : -direction);
   }
 
-  const int width = std::max(1, static_cast<int>(std::floor(state.raster.line_width + 0.5f)));
+  const int width = static_cast<int>(std::floor(supported_width(state.raster.line_width) + 0.5f));
   const int32_t half = width * kSubpixelOne / 2;
   const int32_t start_major = snap(start.major - 0.5f), start_minor = snap(start.minor - 0.5f);
   const int32_t end_major = snap(end.major - 0.5f), end_minor = snap(end.minor - 0.5f);
@@ -93,11 +134,7 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
     corners[i].x = x_major ? major[i] : minor[i];
     corners[i].y = mirror(state, x_major ? minor[i] : major[i]);
   }
-  out.kind = PrimitiveKind::kLine;
-  out.vertex[0] = v0;
-  out.vertex[1] = v1;
   out.size = x_major ? 1.0f : -1.0f;
-  out.back_facing = false;
   return set_polygon(state, corners, 4, out);
 }
 

@@ -45,15 +45,32 @@ Basis triangle_basis(const SetupState& state, const PrimitiveRecord& p) {
   return {y20 * inverse, -y10 * inverse, -x20 * inverse, x10 * inverse};
 }
 
-// 3.4.1: the varyings of a line change along its major axis.
+// 3.4.1: the varyings of a line change along its major axis; those of a line that is a rectangle
+// along the line itself (equation 3.3).
 Basis line_basis(const SetupState& state, const PrimitiveRecord& p) {
+  const float dx = window_x(p.vertex[1]) - window_x(p.vertex[0]);
+  const float dy = window_y(state, p.vertex[1]) - window_y(state, p.vertex[0]);
   Basis basis;
   if (p.size > 0) {
-    basis.x1 = 1.0f / (window_x(p.vertex[1]) - window_x(p.vertex[0]));
+    basis.x1 = 1.0f / dx;
+  } else if (p.size < 0) {
+    basis.y1 = 1.0f / dy;
   } else {
-    basis.y1 = 1.0f / (window_y(state, p.vertex[1]) - window_y(state, p.vertex[0]));
+    const float square = dx * dx + dy * dy;
+    basis.x1 = dx / square;
+    basis.y1 = dy / square;
   }
   return basis;
+}
+
+// 3.3.1, 3.4.2: what an antialiased point or line covers.
+SmoothRegion smooth_region(const SetupState& state, const PrimitiveRecord& p) {
+  if (p.kind == PrimitiveKind::kPoint) {
+    return {true, 0.5f * p.size, 0, 0};
+  }
+  return {false, 0.5f * supported_width(state.raster.line_width),
+          window_x(p.vertex[1]) - window_x(p.vertex[0]),
+          window_y(state, p.vertex[1]) - window_y(state, p.vertex[0])};
 }
 
 // 3.5.2: o = m * factor + r * units, with r the smallest step of a 24-bit depth buffer.
@@ -90,6 +107,11 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
   }
   out.x_ref = window_x(v[0]);
   out.y_ref = window_y(state, v[0]);
+  if (state.coverage == FragmentCoverage::kSmooth) {
+    out.region = smooth_region(state, p);
+  } else if (state.coverage == FragmentCoverage::kMultisamplePoint) {
+    out.point_fade = v[0][vertex_record::kPointAlpha];
+  }
   const float w[3] = {inv_w(v[0]), inv_w(v[1]), inv_w(v[2])};
   out.perspective = w[0] != w[1] || w[0] != w[2];
 

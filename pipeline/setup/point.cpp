@@ -1,5 +1,5 @@
 // Point setup (3.3): aliased points cover a square of whole pixels, point sprites the exact square
-// around their position.
+// around their position, antialiased and multisampled points the circle.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 // 3.3: an odd size is centred on a pixel, an even one on a pixel corner.
 bool setup_square(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
   // Rounded to nearest; of two equally near, the smaller.
-  const int width = std::max(1, static_cast<int>(std::ceil(size - 0.5f)));
+  const int width = static_cast<int>(std::ceil(size - 0.5f));
   int32_t x = snap(window[0]);
   int32_t y = snap(window[1]);
   if (state.mirror_height > 0) {
@@ -38,7 +38,7 @@ bool setup_square(const SetupState& state, const float* window, float size, Prim
 }
 
 bool setup_sprite(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
-  const int32_t width = std::max<int32_t>(kSubpixelOne, snap(size));
+  const int32_t width = snap(size);
   const int32_t left = snap(window[0] - 0.5f) - width / 2;
   const int32_t first = snap(window[1] - 0.5f) - width / 2;
   const int32_t low = mirror(state, first);
@@ -48,16 +48,34 @@ bool setup_sprite(const SetupState& state, const float* window, float size, Prim
   return set_polygon(state, corners, 4, out);
 }
 
+// 3.3.1, 3.3.3.
+bool setup_circle(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
+  const int32_t x = snap(window[0] - 0.5f);
+  const int32_t y = mirror(state, snap(window[1] - 0.5f));
+  const int32_t radius = snap(0.5f * size);
+  const bool smooth = state.coverage == FragmentCoverage::kSmooth;
+  out.is_circle = true;
+  out.circle = {x, y, radius, smooth ? reach_of(state.coverage) : 0};
+  return set_box(state, {x - radius, y - radius}, {x + radius, y + radius}, out);
+}
+
 }  // namespace
 
 bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out) {
   out.kind = PrimitiveKind::kPoint;
   out.vertex[0] = v0;
   out.back_facing = false;
-  out.size = v0[vertex_record::kPointSize];
+  float size = v0[vertex_record::kPointSize];
+  if (state.coverage == FragmentCoverage::kMultisamplePoint) {
+    size = std::max(size, state.point_fade_threshold);  // equation 3.1
+  }
+  out.size = supported_width(size);
   const float* window = v0 + vertex_record::kWindow;
-  return state.raster.point_sprite ? setup_sprite(state, window, out.size, out)
-                                   : setup_square(state, window, out.size, out);
+  if (state.raster.point_sprite) {
+    return setup_sprite(state, window, out.size, out);
+  }
+  return state.coverage == FragmentCoverage::kCentre ? setup_square(state, window, out.size, out)
+                                                     : setup_circle(state, window, out.size, out);
 }
 
 }  // namespace clearpipe::pipeline

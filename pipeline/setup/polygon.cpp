@@ -13,6 +13,42 @@ int32_t snap(float pixels) {
   return static_cast<int32_t>(std::nearbyint(pixels * static_cast<float>(kSubpixelOne)));
 }
 
+int32_t reach_of(FragmentCoverage coverage) {
+  switch (coverage) {
+    case FragmentCoverage::kCentre:
+      return 0;
+    case FragmentCoverage::kSmooth:
+      return kSubpixelOne / 2 + 2;
+    case FragmentCoverage::kMultisample:
+    case FragmentCoverage::kMultisamplePoint:
+      return kSampleReach;
+  }
+  return 0;
+}
+
+bool set_box(const SetupState& state, const SnappedPoint& low, const SnappedPoint& high,
+             PrimitiveRecord& out) {
+  const int32_t reach = reach_of(state.coverage);
+  // Centres lie at whole pixels: the first one not left of low, and the last one not right of high.
+  const auto first_centre = [reach](int32_t v) {
+    return (v - reach + kSubpixelOne - 1) >> kSubpixelBits;
+  };
+  const auto last_centre = [reach](int32_t v) { return (v + reach) >> kSubpixelBits; };
+  const int x0 = std::max(first_centre(low.x), state.bounds.x0);
+  const int x1 = std::min(last_centre(high.x) + 1, state.bounds.x1);
+  const int y0 = std::max(first_centre(low.y), state.bounds.y0);
+  const int y1 = std::min(last_centre(high.y) + 1, state.bounds.y1);
+  if (x0 >= x1 || y0 >= y1) {
+    return false;
+  }
+  out.x0 = static_cast<int16_t>(x0);
+  out.y0 = static_cast<int16_t>(y0);
+  out.x1 = static_cast<int16_t>(x1);
+  out.y1 = static_cast<int16_t>(y1);
+  out.multisample = is_multisample(state.coverage);
+  return true;
+}
+
 bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count,
                  PrimitiveRecord& out) {
   int32_t min_x = corners[0].x, max_x = corners[0].x;
@@ -23,20 +59,9 @@ bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count
     min_y = std::min(min_y, corners[i].y);
     max_y = std::max(max_y, corners[i].y);
   }
-  // Centres lie at whole pixels: the first one not left of min, and the last one not right of max.
-  const auto first_centre = [](int32_t v) { return (v + kSubpixelOne - 1) >> kSubpixelBits; };
-  const auto last_centre = [](int32_t v) { return v >> kSubpixelBits; };
-  const int x0 = std::max(first_centre(min_x), state.bounds.x0);
-  const int x1 = std::min(last_centre(max_x) + 1, state.bounds.x1);
-  const int y0 = std::max(first_centre(min_y), state.bounds.y0);
-  const int y1 = std::min(last_centre(max_y) + 1, state.bounds.y1);
-  if (x0 >= x1 || y0 >= y1) {
+  if (!set_box(state, {min_x, min_y}, {max_x, max_y}, out)) {
     return false;
   }
-  out.x0 = static_cast<int16_t>(x0);
-  out.y0 = static_cast<int16_t>(y0);
-  out.x1 = static_cast<int16_t>(x1);
-  out.y1 = static_cast<int16_t>(y1);
   out.edge_count = static_cast<uint8_t>(count);
   int64_t doubled_area = 0;
   for (int i = 0; i < count; ++i) {

@@ -5,16 +5,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "pipeline/fragment/program.h"
+#include "pipeline/raster/circle.h"
 #include "pipeline/raster/edge.h"
 #include "pipeline/state.h"
 #include "pipeline/vertex/vertex_stage.h"
 
 namespace clearpipe::pipeline {
 
-enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle, kRectangle };
+enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle };
 
 // What setup needs to know of a draw, the same for all its primitives.
 struct SetupState {
@@ -22,19 +24,26 @@ struct SetupState {
   VertexLayout layout;
   Rect bounds;  // pixels that may be touched: the scissor box and the surface
   FragmentInputs inputs;
-  int mirror_height = 0;   // > 0: record y counts down from the top of a surface this high
-  bool two_sided = false;  // back colour at layout.back_colour_offset
+  FragmentCoverage coverage = FragmentCoverage::kCentre;
+  float point_fade_threshold = 1;  // multisampled points are at least as large (3.3)
+  int mirror_height = 0;           // > 0: record y counts down from the top of a surface this high
+  bool two_sided = false;          // back colour at layout.back_colour_offset
 };
 
 struct PrimitiveRecord {
   const float* vertex[3] = {};  // vertex records; points use one, lines two
-  Edge edges[4];
+  union {
+    Edge edges[4] = {};
+    Circle circle;  // if is_circle
+  };
   // Pixels that may be covered, inside SetupState::bounds; half-open.
   int16_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  float size = 0;     // points: the size used; lines: +1 x-major, -1 y-major
+  float size = 0;     // points: the size used; lines: +1 x-major, -1 y-major, 0 a rectangle
   uint32_t draw = 0;  // index of the draw in the frame
   PrimitiveKind kind = PrimitiveKind::kTriangle;
-  uint8_t edge_count = 0;  // 0: the whole box is covered
+  bool multisample = false;  // its samples count, not the centre
+  uint8_t edge_count = 0;    // 0: the whole box is covered, or the circle in it
+  bool is_circle = false;
   bool back_facing = false;
 };
 
@@ -44,6 +53,9 @@ bool setup_triangle(const SetupState& state, const float* v0, const float* v1, c
                     PrimitiveRecord& out);
 bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out);
 bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out);
+
+// The nearest width that is supported for points and lines of any kind (3.3.1, 3.4.2).
+inline float supported_width(float width) { return width > 1 ? std::min(width, 255.0f) : 1.0f; }
 
 // The planes of the varyings in state.inputs, and of depth.
 void make_planes(const SetupState& state, const PrimitiveRecord& primitive, PrimitivePlanes& out);
@@ -61,9 +73,19 @@ inline int32_t mirror(const SetupState& state, int32_t y) {
   return state.mirror_height > 0 ? (state.mirror_height - 1) * kSubpixelOne - y : y;
 }
 
+// Sets the box of the pixels with a place inside the given bounds, up to reach_of(state.coverage)
+// away from their centre; false when it is empty.
+bool set_box(const SetupState& state, const SnappedPoint& low, const SnappedPoint& high,
+             PrimitiveRecord& out);
+
 // Sets the edges of a convex polygon of `count` corners in either winding and the box of pixels it
 // may cover; false when the box is empty.
 bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count,
                  PrimitiveRecord& out);
+
+// How far from the centre of a pixel, in subpixels along each axis, lies what decides whether a
+// primitive produces a fragment there: nothing but the centre, the samples, or the whole square.
+// The square is taken a little larger: its exact coverage is found from unsnapped positions.
+int32_t reach_of(FragmentCoverage coverage);
 
 }  // namespace clearpipe::pipeline
