@@ -33,8 +33,10 @@ Wrap wrap(GLenum mode) {
                                           : Wrap::kRepeat;
 }
 
-pipeline::Sampler derive_sampler(const TextureObject& texture) {
+pipeline::Sampler derive_sampler(const TextureObject& texture, float lod_bias) {
   pipeline::Sampler s;
+  s.lod_bias = std::clamp(lod_bias, -kMaxTextureLodBias, kMaxTextureLodBias);
+  s.max_anisotropy = std::min(texture.max_anisotropy, kMaxAnisotropy);
   s.wrap_s = wrap(texture.wrap_s);
   s.wrap_t = wrap(texture.wrap_t);
   s.mag = texture.mag_filter == GL_LINEAR ? Filter::kLinear : Filter::kNearest;
@@ -48,9 +50,7 @@ pipeline::Sampler derive_sampler(const TextureObject& texture) {
   }
   s.mip = min == GL_NEAREST_MIPMAP_NEAREST || min == GL_LINEAR_MIPMAP_NEAREST ? MipFilter::kNearest
                                                                               : MipFilter::kLinear;
-  for (int size = std::max(texture.level[0].width, texture.level[0].height); size > 1; size /= 2) {
-    ++s.max_level;
-  }
+  s.max_level = last_mipmap_level(texture);
   return s;
 }
 
@@ -313,7 +313,7 @@ void derive_fragment(Context& context) {
     if (samples_its_target(context, *from.texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }
-    unit.sampler = derive_sampler(*from.texture);
+    unit.sampler = derive_sampler(*from.texture, from.lod_bias);
     unit.combiner = from.env_mode == GL_COMBINE
                         ? derive_combine(from, u)
                         : derive_classic(from.env_mode, from.texture->level[0].format, u);

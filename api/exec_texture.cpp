@@ -48,6 +48,12 @@ void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
     case GL_TEXTURE_WRAP_T:
       texture.wrap_t = p.enumerant();
       break;
+    case GL_TEXTURE_MAX_LEVEL_APPLE:
+      texture.max_level = p.integer();
+      break;
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      texture.max_anisotropy = p.number();
+      break;
     default:
       texture.generate_mipmap = p.boolean();
       break;
@@ -60,6 +66,10 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
   c.dirty |= kDirtyFragment | kDirtyRaster;
   if (target == GL_POINT_SPRITE_OES) {
     unit.coord_replace = p.boolean();
+    return;
+  }
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
+    unit.lod_bias = p.number();
     return;
   }
   switch (pname) {

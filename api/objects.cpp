@@ -24,16 +24,24 @@ bool is_complete(const TextureObject& texture) {
   if (base.width == 0 || base.height == 0) return false;
   if (!is_mipmap_filter(texture.min_filter)) return true;
   int width = base.width, height = base.height;
-  for (size_t i = 1; width > 1 || height > 1; ++i) {
+  for (size_t i = 1, last = static_cast<size_t>(last_mipmap_level(texture)); i <= last; ++i) {
     width = std::max(1, width / 2);
     height = std::max(1, height / 2);
-    if (i >= texture.level.size()) return false;
     const TextureLevel& level = texture.level[i];
     if (level.width != width || level.height != height || level.internal != base.internal) {
       return false;
     }
   }
   return true;
+}
+
+// q = min(p, level_max), where level p is 1x1 (APPLE_texture_max_level).
+int last_mipmap_level(const TextureObject& texture) {
+  int p = 0;
+  for (int size = std::max(texture.level[0].width, texture.level[0].height); size > 1; size /= 2) {
+    ++p;
+  }
+  return std::min(p, texture.max_level);
 }
 
 bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes) {

@@ -65,6 +65,8 @@ struct TextureObject {
   GLenum wrap_s = GL_REPEAT;
   GLenum wrap_t = GL_REPEAT;
   bool generate_mipmap = false;
+  GLint max_level = 1000;    // APPLE_texture_max_level
+  float max_anisotropy = 1;  // EXT_texture_filter_anisotropic, as set
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
@@ -143,5 +145,8 @@ struct ShareGroup {
 // Whether the texture is complete (3.7.9): an incomplete one disables its unit.
 bool is_complete(const TextureObject& texture);
 bool is_mipmap_filter(GLenum min_filter);
+
+// The last level that a mipmap of it has: q (3.7.7).
+int last_mipmap_level(const TextureObject& texture);
 
 }  // namespace clearpipe::api

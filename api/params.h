@@ -30,6 +30,11 @@ class Params {
     const GLint raw = static_cast<const GLint*>(values_)[i];
     return type_ == GL_FIXED ? from_fixed(raw) : static_cast<float>(raw);
   }
+  // The nearest integer, as wide as the type has it.
+  GLint integer(int i = 0) const {
+    return type_ == kInteger ? static_cast<const GLint*>(values_)[i]
+                             : saturate_int(std::floor(static_cast<double>(number(i)) + 0.5));
+  }
   // Colours given as integers are normalised (table 2.7).
   float colour(int i) const {
     if (type_ != kInteger) return number(i);

@@ -128,6 +128,9 @@ GLenum get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
   if (target == GL_POINT_SPRITE_OES) {
     return pname == GL_COORD_REPLACE_OES ? GL_NO_ERROR : GL_INVALID_ENUM;
   }
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
+    return pname == GL_TEXTURE_LOD_BIAS_EXT ? GL_NO_ERROR : GL_INVALID_ENUM;
+  }
   if (target != GL_TEXTURE_ENV) return GL_INVALID_ENUM;
   const GLfloat probe_mode[4] = {GL_REPLACE}, probe_source[4] = {GL_PREVIOUS},
                 probe_operand[4] = {GL_SRC_ALPHA}, probe_scale[4] = {1};
@@ -140,7 +143,8 @@ GLenum get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
 GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&) {
   const bool known = pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
                      pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
-                     pname == GL_GENERATE_MIPMAP;
+                     pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
+                     pname == GL_TEXTURE_MAX_ANISOTROPY_EXT;
   return known && target == GL_TEXTURE_2D ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
@@ -282,6 +286,7 @@ void get_material(Context& c, GLenum, GLenum pname, const Out& out) {
 void get_tex_env(Context& c, GLenum target, GLenum pname, const Out& out) {
   const TextureUnitState& u = c.active_unit();
   if (target == GL_POINT_SPRITE_OES) return out.boolean(0, u.coord_replace);
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) return out.number(0, u.lod_bias);
   switch (pname) {
     case GL_TEXTURE_ENV_MODE:
       out.enumerant(0, u.env_mode);
@@ -336,6 +341,12 @@ void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
       break;
     case GL_TEXTURE_WRAP_T:
       out.enumerant(0, t.wrap_t);
+      break;
+    case GL_TEXTURE_MAX_LEVEL_APPLE:
+      out.integer(0, t.max_level);
+      break;
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      out.number(0, t.max_anisotropy);
       break;
     default:
       out.boolean(0, t.generate_mipmap);

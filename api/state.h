@@ -148,6 +148,7 @@ struct TextureUnitState {
   GLenum operand_alpha[3] = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
   float rgb_scale = 1, alpha_scale = 1;
   bool coord_replace = false;
+  float lod_bias = 0;  // EXT_texture_lod_bias, as set
 };
 
 struct TextureState {

@@ -142,6 +142,10 @@ GLenum tex_parameter(const Context&, GLenum target, GLenum pname, const Params& 
                      value == GL_MIRRORED_REPEAT_OES);
     case GL_GENERATE_MIPMAP:
       return GL_NO_ERROR;
+    case GL_TEXTURE_MAX_LEVEL_APPLE:
+      return p.integer() >= 0 ? GL_NO_ERROR : GL_INVALID_VALUE;
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      return p.number() >= 1 ? GL_NO_ERROR : GL_INVALID_VALUE;
     default:
       return GL_INVALID_ENUM;
   }
@@ -149,6 +153,7 @@ GLenum tex_parameter(const Context&, GLenum target, GLenum pname, const Params& 
 
 GLenum tex_env(const Context&, GLenum target, GLenum pname, const Params& p) {
   if (target == GL_POINT_SPRITE_OES) return enum_if(pname == GL_COORD_REPLACE_OES);
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) return enum_if(pname == GL_TEXTURE_LOD_BIAS_EXT);
   if (target != GL_TEXTURE_ENV) return GL_INVALID_ENUM;
   const GLenum value = p.enumerant();
   switch (pname) {

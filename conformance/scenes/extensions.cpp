@@ -4,6 +4,41 @@
 
 namespace clearpipe::conformance {
 
+namespace {
+
+// A plate seen in perspective, with mipmaps.
+void mipmapped_plate(const Gl& gl) {
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  clear(gl);
+  perspective(gl);
+  gl.Enable(GL_TEXTURE_2D);
+  gl.Translatef(0, -0.6f, -1.2f);
+  gl.Rotatef(-72, 1, 0, 0);
+  gl.Rotatef(17, 0, 0, 1);
+  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, 5, 15), kTexCoords);
+}
+
+}  // namespace
+
+SCENE(extensions, lod_bias_up, kColours) {
+  noise_texture(gl, 32, 32, 80, true);
+  gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL_EXT, GL_TEXTURE_LOD_BIAS_EXT, 1.3f);
+  mipmapped_plate(gl);
+}
+
+SCENE(extensions, lod_bias_down, kColours) {
+  noise_texture(gl, 32, 32, 80, true);
+  gl.TexEnvf(GL_TEXTURE_FILTER_CONTROL_EXT, GL_TEXTURE_LOD_BIAS_EXT, -0.75f);
+  mipmapped_plate(gl);
+}
+
+SCENE(extensions, max_level, kColours) {
+  noise_texture(gl, 32, 32, 80, true);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL_APPLE, 2);
+  mipmapped_plate(gl);
+}
+
 // OES_blend_subtract, EXT_blend_minmax: a bar for each equation.
 SCENE(extensions, blend_equations, kColours) {
   constexpr GLenum kEquations[] = {GL_FUNC_ADD_OES, GL_FUNC_SUBTRACT_OES,

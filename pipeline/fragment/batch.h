@@ -30,6 +30,8 @@ struct FragmentBatch {
   // the three corners of the fragment's 2x2 quad that give the level of detail (3.7.7).
   alignas(64) float s[kBatchSize], t[kBatchSize];
   alignas(64) float lod[kBatchSize];  // log2 of the scale factor rho, before bias and clamping
+  // With anisotropic filtering: the longer derivative of (s, t), and the number of samples on it.
+  alignas(64) float along_s[kBatchSize], along_t[kBatchSize], probes[kBatchSize];
 
   alignas(64) int16_t live[kBatchSize];                   // -1: the fragment lives; 0: discarded
   alignas(64) int16_t coverage[kBatchSize];               // of antialiased points and lines

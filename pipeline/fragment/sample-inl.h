@@ -19,6 +19,7 @@
 #endif
 
 #include "hwy/highway.h"
+#include "pipeline/fragment/anisotropic-inl.h"
 #include "pipeline/fragment/sample_axis-inl.h"
 #include "pipeline/fragment/sample_colours-inl.h"
 
@@ -246,6 +247,7 @@ void sample_levels(const SampleState& state, FragmentBatch& batch, int unit) {
 
 template <class Axes, bool kFine>
 SampleFunction choose_filter(const SampleState& state) {
+  if (state.sampler.max_anisotropy > 1) return sample_anisotropic<sample_levels<Axes, kFine>>;
   if (state.needs_lod) return sample_levels<Axes, kFine>;
   return state.sampler.min == Filter::kLinear ? sample_one_level<Axes, kFine, true>
                                               : sample_one_level<Axes, kFine, false>;

@@ -2,7 +2,8 @@
 # Texture sampling and its test.
 target_sources(clearpipe_pipeline PRIVATE ${CMAKE_CURRENT_LIST_DIR}/sample.cpp)
 if(CLEARPIPE_TESTS)
-  add_executable(sample_test ${CMAKE_CURRENT_LIST_DIR}/sample_test.cpp)
+  add_executable(sample_test ${CMAKE_CURRENT_LIST_DIR}/anisotropic_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/sample_test.cpp)
   target_link_libraries(sample_test PRIVATE clearpipe_pipeline PkgConfig::HWY GTest::gtest_main)
   add_test(NAME sample_test COMMAND sample_test)
 endif()

@@ -48,7 +48,8 @@ SampleState make_sample_state(const TextureUnit& unit) {
       state.last_level = i;
     }
   }
-  state.needs_lod = sampler.min != sampler.mag || state.last_level > state.first_level;
+  state.needs_lod = sampler.min != sampler.mag || state.last_level > state.first_level ||
+                    sampler.max_anisotropy > 1;
   state.lod_threshold = sampler.mag == Filter::kLinear && sampler.min == Filter::kNearest &&
                                 sampler.mip != MipFilter::kNone
                             ? 0.5f

@@ -18,13 +18,15 @@ struct SampleState {
   SampleLevel levels[kMaxLevels];
   int first_level = 0, last_level = 0;
   Sampler sampler;
-  bool needs_lod = false;   // minification and magnification differ, or mipmaps are used
+  bool needs_lod = false;   // minification and magnification differ, or mipmaps are used, or the
+                            // footprint is looked at (anisotropic-inl.h)
   float lod_threshold = 0;  // c: magnification when lod <= c (3.7.8)
 };
 
 SampleState make_sample_state(const TextureUnit& unit);
 
-// Fills batch.texture[unit] from batch.s, batch.t and (if needs_lod) batch.lod. Chosen for the
+// Fills batch.texture[unit] from batch.s, batch.t and (if needs_lod) batch.lod, along_s,
+// along_t and probes. Chosen for the
 // sampler once; runs on the SIMD target in use.
 using SampleFunction = void (*)(const SampleState& state, FragmentBatch& batch, int unit);
 SampleFunction select_sample_function(const SampleState& state);

@@ -45,7 +45,20 @@ HWY_INLINE V length_squared(V x, V y) {
   return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
 }
 
-// The level of detail into batch.lod. (tile_x, tile_y) is the tile's first pixel.
+// EXT_texture_filter_anisotropic: N = ceil(Pmax / Pmin), but not more than the sampler allows, nor
+// than the footprint is texels long: more would see nothing new. At least 1.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V probe_count(D d, V longer_squared, V shorter_squared, V most) {
+  const V one = hn::Set(d, 1.0f);
+  const V shorter = hn::IfThenElse(hn::Gt(shorter_squared, hn::Set(d, 1e-30f)), shorter_squared,
+                                   hn::Set(d, 1e-30f));
+  const V ratio = hn::Sqrt(hn::Div(longer_squared, shorter));
+  const V probes = hn::Ceil(hn::Min(ratio, hn::Sqrt(longer_squared)));
+  return hn::Max(hn::Min(probes, hn::Floor(most)), one);
+}
+
+// The level of detail into batch.lod, and what anisotropic filtering needs. (tile_x, tile_y) is the
+// tile's first pixel.
 inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* planes,
                             const SampleState& sample, int tile_x, int tile_y,
                             FragmentBatch& batch) {
@@ -74,11 +87,23 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
         length_squared(hn::Mul(hn::Sub(s1, s0), width), hn::Mul(hn::Sub(t1, t0), height));
     const V along_y =
         length_squared(hn::Mul(hn::Sub(s2, s0), width), hn::Mul(hn::Sub(t2, t0), height));
-    V rho_squared = hn::IfThenElse(hn::Gt(along_x, along_y), along_x, along_y);
+    const auto x_is_longer = hn::Gt(along_x, along_y);
+    V rho_squared = hn::IfThenElse(x_is_longer, along_x, along_y);
     // Keep to positive normal numbers; anything else is taken as far magnified.
     const V least = hn::Set(d, 1e-30f), most = hn::Set(d, 1e30f);
     rho_squared = hn::IfThenElse(hn::And(hn::Gt(rho_squared, least), hn::Lt(rho_squared, most)),
                                  rho_squared, least);
+    if (sample.sampler.max_anisotropy > 1) {
+      const V shorter = hn::IfThenElse(x_is_longer, along_y, along_x);
+      const V probes =
+          probe_count(d, rho_squared, shorter, hn::Set(d, sample.sampler.max_anisotropy));
+      hn::Store(probes, d, batch.probes + i);
+      hn::Store(hn::IfThenElse(x_is_longer, hn::Sub(s1, s0), hn::Sub(s2, s0)), d,
+                batch.along_s + i);
+      hn::Store(hn::IfThenElse(x_is_longer, hn::Sub(t1, t0), hn::Sub(t2, t0)), d,
+                batch.along_t + i);
+      rho_squared = hn::Max(hn::Div(rho_squared, hn::Mul(probes, probes)), least);
+    }
     const auto bits = hn::BitCast(di, rho_squared);
     const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
     const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x7fffff)), hn::Set(di, 0x3f800000));
