@@ -8,6 +8,7 @@
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -86,10 +87,10 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
 // A bound texture may have been changed here or through another context.
 void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    const TextureUnitState& unit = c.state.texture.unit[u];
-    if (!unit.enabled) continue;
-    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
-    if (samples_its_target(c, *unit.texture)) {
+    const TextureObject* texture = enabled_texture(c.state.texture.unit[u]);
+    if (!texture) continue;
+    if (c.texture_version[u] != texture->version) c.dirty |= kDirtyTexture;
+    if (samples_its_target(c, *texture)) {
       c.finish_frame();  // the draw samples what the level holds now
       c.dirty |= kDirtyFragment;
     }
@@ -109,7 +110,8 @@ void update_state(Context& c) {
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
   note_drawn_texture(c);
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
+    if (!c.fragment_state.unit[u].enabled) continue;
+    enabled_texture(c.state.texture.unit[u])->uses.note(c.clock);
   }
   const ArraysState& a = c.state.arrays;
   auto note = [&c](const ArrayState& array) {

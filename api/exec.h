@@ -89,6 +89,7 @@ void delete_textures(Context&, GLsizei n, const GLuint* names);
 GLboolean is_texture(Context&, GLuint name);
 void tex_parameter(Context&, GLenum target, GLenum pname, const Params&);
 void tex_env(Context&, GLenum target, GLenum pname, const Params&);
+void tex_gen(Context&, GLenum coord, GLenum pname, const Params&);
 // texture_upload.cpp
 void tex_image(Context&, GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
                GLint border, GLenum format, GLenum type, const void* pixels);
@@ -157,6 +158,7 @@ void get_clip_plane(Context&, GLenum plane, const Out&);
 void get_light(Context&, GLenum light, GLenum pname, const Out&);
 void get_material(Context&, GLenum face, GLenum pname, const Out&);
 void get_tex_env(Context&, GLenum target, GLenum pname, const Out&);
+void get_tex_gen(Context&, GLenum coord, GLenum pname, const Out&);
 void get_tex_parameter(Context&, GLenum target, GLenum pname, const Out&);
 void get_buffer_parameter(Context&, GLenum target, GLenum pname, GLint* params);
 GLbitfield query_matrix(Context&, GLfixed* mantissa, GLint* exponent);

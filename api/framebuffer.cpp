@@ -22,7 +22,7 @@ AttachedImage image_of(const Attachment& a) {
     image.depth = r.depth_stencil && r.depth_stencil->has_depth;
     image.stencil = r.depth_stencil && r.depth_stencil->has_stencil;
   } else if (a.texture) {
-    const TextureLevel& level = a.texture->level[static_cast<size_t>(a.level)];
+    const TextureLevel& level = a.texture->level[a.image];
     // RGB and RGBA are colour-renderable; compressed images are not.
     const bool colour =
         level.internal == level.format && (level.format == GL_RGB || level.format == GL_RGBA);
@@ -61,13 +61,13 @@ GLenum status_of(const FramebufferObject& f) {
 }
 
 // A level of a texture as a buffer to draw to: the same memory.
-std::shared_ptr<pipeline::ColourBuffer> buffer_of(const TextureObject& texture, size_t level) {
-  pipeline::ImageLevel& from = texture.image->levels[level];
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(const TextureObject& texture, size_t index) {
+  pipeline::ImageLevel& from = texture.image->levels[index];
   auto buffer = std::make_shared<pipeline::ColourBuffer>();
   buffer->width = from.width;
   buffer->height = from.height;
   buffer->pixels = std::shared_ptr<uint32_t[]>(texture.image, from.texels.data());
-  buffer->has_alpha = texture.level[level].format == GL_RGBA;
+  buffer->has_alpha = texture.level[index].format == GL_RGBA;
   return buffer;
 }
 
@@ -91,7 +91,7 @@ pipeline::Target target_of(const FramebufferObject& f) {
   if (f.colour.renderbuffer) {
     target.colour = f.colour.renderbuffer->colour;
   } else if (f.colour.texture) {
-    target.colour = buffer_of(*f.colour.texture, static_cast<size_t>(f.colour.level));
+    target.colour = buffer_of(*f.colour.texture, f.colour.image);
   }
   target.depth_stencil = buffer_of(f);
   target.width = target.colour ? target.colour->width : target.depth_stencil->width;

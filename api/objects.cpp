@@ -11,28 +11,49 @@ namespace clearpipe::api {
 namespace {
 // A copy of so many bytes costs less than cutting a frame in two.
 constexpr size_t kCopyLimit = 256 * 1024;
+
+bool fits(const TextureLevel& level, int width, int height, GLenum internal) {
+  return level.width == width && level.height == height && level.internal == internal;
+}
+
+// Where the levels of each face of a cube map begin.
+constexpr std::array<size_t, pipeline::kCubeFaces> kFaces = [] {
+  std::array<size_t, pipeline::kCubeFaces> first{};
+  for (size_t i = 0; i < first.size(); ++i) first[i] = i * kTextureLevels;
+  return first;
+}();
 }  // namespace
 
 bool is_mipmap_filter(GLenum min_filter) {
   return min_filter != GL_NEAREST && min_filter != GL_LINEAR;
 }
 
+bool is_cube_complete(const TextureObject& texture) {
+  const TextureLevel& base = texture.level[0];
+  if (base.width == 0 || base.width != base.height) return false;
+  return std::all_of(kFaces.begin(), kFaces.end(), [&](size_t face) {
+    return fits(texture.level[face], base.width, base.height, base.internal);
+  });
+}
+
 // OES_required_internalformat would have the format and type of all levels agree too; as with the
 // core and with Mesa, levels given in different types are complete here.
 bool is_complete(const TextureObject& texture) {
   const TextureLevel& base = texture.level[0];
-  if (base.width == 0 || base.height == 0) return false;
+  const bool cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
+  if (base.width == 0 || base.height == 0 || (cube && !is_cube_complete(texture))) return false;
   if (!is_mipmap_filter(texture.min_filter)) return true;
-  int width = base.width, height = base.height;
-  for (size_t i = 1, last = static_cast<size_t>(last_mipmap_level(texture)); i <= last; ++i) {
-    width = std::max(1, width / 2);
-    height = std::max(1, height / 2);
-    const TextureLevel& level = texture.level[i];
-    if (level.width != width || level.height != height || level.internal != base.internal) {
-      return false;
+  const size_t last = static_cast<size_t>(last_mipmap_level(texture));
+  const auto has_mipmap = [&](size_t face) {
+    int width = base.width, height = base.height;
+    for (size_t i = 1; i <= last; ++i) {
+      width = std::max(1, width / 2);
+      height = std::max(1, height / 2);
+      if (!fits(texture.level[face + i], width, height, base.internal)) return false;
     }
-  }
-  return true;
+    return true;
+  };
+  return cube ? std::all_of(kFaces.begin(), kFaces.end(), has_mipmap) : has_mipmap(0);
 }
 
 // q = min(p, level_max), where level p is 1x1 (APPLE_texture_max_level).

@@ -55,8 +55,9 @@ struct TextureLevel {
 
 // Table 6.14.
 struct TextureObject {
-  explicit TextureObject(GLuint n) : name(n) {}
+  explicit TextureObject(GLuint n, GLenum t = 0) : name(n), target(t) {}
   const GLuint name;
+  GLenum target;  // that it was first bound to (3.7.11); 0: to none
   // Grows with every change but that of texels alone. Contexts that have the texture bound compare
   // it with what they derived from.
   uint64_t version = 1;
@@ -67,7 +68,8 @@ struct TextureObject {
   bool generate_mipmap = false;
   GLint max_level = 1000;    // APPLE_texture_max_level
   float max_anisotropy = 1;  // EXT_texture_filter_anisotropic, as set
-  std::array<TextureLevel, kTextureLevels> level;
+  // As in a pipeline::Image, those of the faces of a cube map one after the other.
+  std::array<TextureLevel, pipeline::kCubeFaces * kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
   FrameUses uses;  // of image
@@ -87,11 +89,13 @@ struct RenderbufferObject {
 };
 using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
 
-// One attachment point: nothing, a renderbuffer, or a level of a texture.
+// One attachment point: nothing, a renderbuffer, or a level of a texture or of its face.
 struct Attachment {
   RenderbufferPtr renderbuffer;
   TexturePtr texture;
   GLint level = 0;
+  GLenum face = 0;   // 0: not a cube map
+  size_t image = 0;  // in TextureObject::level
 };
 
 struct FramebufferObject {
@@ -142,8 +146,11 @@ struct ShareGroup {
   NameTable<FramebufferObject> framebuffers;
 };
 
-// Whether the texture is complete (3.7.9): an incomplete one disables its unit.
+// Whether the texture is complete (3.7.9): an incomplete one disables its unit. A cube map is cube
+// complete or, with a filter that needs mipmaps, mipmap cube complete.
 bool is_complete(const TextureObject& texture);
+// Whether the base levels of all faces fit each other, for what has faces.
+bool is_cube_complete(const TextureObject& texture);
 bool is_mipmap_filter(GLenum min_filter);
 
 // The last level that a mipmap of it has: q (3.7.7).

@@ -10,6 +10,7 @@
 #include "api/compressed_format.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/texture_target.h"
 #include "api/validate.h"
 
 namespace clearpipe::api {
@@ -146,12 +147,17 @@ GLenum get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
   return GL_INVALID_ENUM;
 }
 
+GLenum get_tex_gen(const Context&, GLenum coord, GLenum pname, const Out&) {
+  return coord == GL_TEXTURE_GEN_STR_OES && pname == GL_TEXTURE_GEN_MODE_OES ? GL_NO_ERROR
+                                                                             : GL_INVALID_ENUM;
+}
+
 GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&) {
   const bool known = pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
                      pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
                      pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
                      pname == GL_TEXTURE_MAX_ANISOTROPY_EXT;
-  return known && target == GL_TEXTURE_2D ? GL_NO_ERROR : GL_INVALID_ENUM;
+  return known && is_texture_target(target) ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
 GLenum get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
@@ -333,8 +339,12 @@ void get_tex_env(Context& c, GLenum target, GLenum pname, const Out& out) {
   }
 }
 
-void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
-  const TextureObject& t = *c.active_unit().texture;
+void get_tex_gen(Context& c, GLenum, GLenum, const Out& out) {
+  out.enumerant(0, c.active_unit().gen_mode);
+}
+
+void get_tex_parameter(Context& c, GLenum target, GLenum pname, const Out& out) {
+  const TextureObject& t = *bound_texture(c, target);
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
       out.enumerant(0, t.min_filter);

@@ -89,16 +89,16 @@ void add_mipmaps(Levels& levels) {
 }
 
 // Automatic generation is not performed from compressed images.
-bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal) {
-  return level == 0 && texture.generate_mipmap && base_format(internal) != 0;
+bool generates_mipmap(const TextureObject& texture, size_t image, GLenum internal) {
+  return image % kTextureLevels == 0 && texture.generate_mipmap && base_format(internal) != 0;
 }
 
-void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+void replace_level(Context& c, TextureObject& texture, size_t image, pipeline::ImageLevel to,
                    GLenum internal, GLenum format) {
   Levels levels;
   levels.push_back(std::move(to));
-  if (generates_mipmap(texture, level, internal)) add_mipmaps(levels);
-  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), internal, format);
+  if (generates_mipmap(texture, image, internal)) add_mipmaps(levels);
+  install_levels(c, texture, image, std::move(levels), internal, format);
 }
 
 void make_writable(Context& c, TextureObject& texture) {

@@ -25,30 +25,29 @@ void install_levels(Context& context, TextureObject& texture, size_t first, Leve
 // Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
 void add_mipmaps(Levels& levels);
 
-// Replaces one level, and those that follow from it.
-void replace_level(Context& context, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+// Replaces one image (texture_target.h), and those that follow from it.
+void replace_level(Context& context, TextureObject& texture, size_t image, pipeline::ImageLevel to,
                    GLenum internal, GLenum format);
 
-// Whether the levels above the base follow from a change of this one.
-bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal);
+// Whether the levels above the base follow from a change of this image.
+bool generates_mipmap(const TextureObject& texture, size_t image, GLenum internal);
 
 // Makes the texture's texels its own, to be written where they are: no frame reads them.
 void make_writable(Context& context, TextureObject& texture);
 
-// Changes texels of one level, and the levels that follow from it.
+// Changes texels of one image, and the levels that follow from it.
 template <typename Change>
-void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
-  const size_t index = static_cast<size_t>(level);
-  const TextureLevel of = texture.level[index];
-  if (generates_mipmap(texture, level, of.internal)) {
+void change_level(Context& c, TextureObject& texture, size_t image, const Change& change) {
+  const TextureLevel of = texture.level[image];
+  if (generates_mipmap(texture, image, of.internal)) {
     finish_drawing_to(c, texture);
-    pipeline::ImageLevel copy = texture.image->levels[index];
+    pipeline::ImageLevel copy = texture.image->levels[image];
     change(copy);
-    replace_level(c, texture, level, std::move(copy), of.internal, of.format);
+    replace_level(c, texture, image, std::move(copy), of.internal, of.format);
     return;
   }
   make_writable(c, texture);
-  change(texture.image->levels[index]);
+  change(texture.image->levels[image]);
 }
 
 }  // namespace clearpipe::api

@@ -6,6 +6,7 @@
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/texture_levels.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -55,8 +56,8 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
 
 }  // namespace
 
-void tex_image(Context& c, GLenum, GLint level, GLint internal, GLsizei width, GLsizei height,
-               GLint, GLenum format, GLenum type, const void* pixels) {
+void tex_image(Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
+               GLsizei height, GLint, GLenum format, GLenum type, const void* pixels) {
   pipeline::ImageLevel to = make_level(width, height);
   if (pixels) {
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
@@ -64,51 +65,61 @@ void tex_image(Context& c, GLenum, GLint level, GLint internal, GLsizei width, G
     std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
   const GLenum held = static_cast<GLenum>(internal);
-  replace_level(c, *c.active_unit().texture, level, std::move(to), held, base_format(held));
+  replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), held,
+                base_format(held));
 }
 
-void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
-                   GLenum format, GLenum type, const void* pixels) {
+void tex_sub_image(Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
+                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
   if (!pixels || width == 0 || height == 0) return;
-  change_level(c, *c.active_unit().texture, level, [&](pipeline::ImageLevel& to) {
+  const auto change = [&](pipeline::ImageLevel& to) {
     unpack(to, x, y, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  });
+  };
+  change_level(c, *bound_texture(c, target), image_index(target, level), change);
 }
 
-void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, GLint y,
+void copy_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
   c.finish_frame();
   update_targets(c);
   pipeline::ImageLevel to = make_level(width, height);
   std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
   copy_from_surface(c, to, base_format(internal), 0, 0, x, y, width, height);
-  replace_level(c, *c.active_unit().texture, level, std::move(to), internal, base_format(internal));
+  replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), internal,
+                base_format(internal));
 }
 
-void copy_tex_sub_image(Context& c, GLenum, GLint level, GLint xoffset, GLint yoffset, GLint x,
-                        GLint y, GLsizei width, GLsizei height) {
+void copy_tex_sub_image(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                        GLint x, GLint y, GLsizei width, GLsizei height) {
   if (width == 0 || height == 0) return;
   c.finish_frame();
   update_targets(c);
-  TextureObject& texture = *c.active_unit().texture;
-  const GLenum format = texture.level[static_cast<size_t>(level)].format;
-  change_level(c, texture, level, [&](pipeline::ImageLevel& to) {
+  TextureObject& texture = *bound_texture(c, target);
+  const size_t image = image_index(target, level);
+  const GLenum format = texture.level[image].format;
+  change_level(c, texture, image, [&](pipeline::ImageLevel& to) {
     copy_from_surface(c, to, format, xoffset, yoffset, x, y, width, height);
   });
 }
 
 // 3.8.8 of EXT_framebuffer_object: the levels above the base, as automatic generation makes them.
-void generate_mipmap(Context& c, GLenum) {
-  TextureObject& texture = *c.active_unit().texture;
+void generate_mipmap(Context& c, GLenum target) {
+  TextureObject& texture = *bound_texture(c, target);
   const TextureLevel base = texture.level[0];
   if (base.width == 0 || base.height == 0) return;
   finish_drawing_to(c, texture);
-  Levels levels;
-  levels.push_back(texture.image->levels[0]);
-  add_mipmaps(levels);
-  levels.erase(levels.begin());
-  if (!levels.empty()) {
-    install_levels(c, texture, 1, std::move(levels), base.internal, base.format);
+  const size_t count = target == GL_TEXTURE_CUBE_MAP_OES ? pipeline::kCubeFaces : 1;
+  std::vector<Levels> mipmaps(count);
+  for (size_t face = 0; face < count; ++face) {
+    mipmaps[face].push_back(texture.image->levels[face * kTextureLevels]);
+    add_mipmaps(mipmaps[face]);
+    mipmaps[face].erase(mipmaps[face].begin());
+  }
+  if (mipmaps[0].empty()) return;
+  // From the last face on, after which there is room for all: no call but the first can fail.
+  for (size_t face = count; face-- > 0;) {
+    install_levels(c, texture, face * kTextureLevels + 1, std::move(mipmaps[face]), base.internal,
+                   base.format);
   }
 }
 

@@ -53,7 +53,7 @@ GLenum blend_equation(const Context&, GLenum rgb, GLenum alpha);
 GLenum logic_op(const Context&, GLenum opcode);
 // validate_texture.cpp
 GLenum pixel_store(const Context&, GLenum pname, GLint param);
-GLenum texture_target(const Context&, GLenum target, GLuint);
+GLenum bind_texture(const Context&, GLenum target, GLuint name);
 GLenum names(const Context&, GLsizei n, const GLuint*);
 GLenum tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
                  GLsizei height, GLint border, GLenum format, GLenum type, const void*);
@@ -69,6 +69,7 @@ GLenum compressed_tex_sub_image(const Context&, GLenum target, GLint level, GLin
                                 GLsizei, GLenum format, GLsizei size, const void*);
 GLenum tex_parameter(const Context&, GLenum target, GLenum pname, const Params&);
 GLenum tex_env(const Context&, GLenum target, GLenum pname, const Params&);
+GLenum tex_gen(const Context&, GLenum coord, GLenum pname, const Params&);
 // validate_draw.cpp
 GLenum client_state(const Context&, GLenum array, bool);
 GLenum vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
@@ -134,6 +135,7 @@ GLenum get_pointer(const Context&, GLenum pname, void**);
 GLenum get_light(const Context&, GLenum light, GLenum pname, const Out&);
 GLenum get_material(const Context&, GLenum face, GLenum pname, const Out&);
 GLenum get_tex_env(const Context&, GLenum target, GLenum pname, const Out&);
+GLenum get_tex_gen(const Context&, GLenum coord, GLenum pname, const Out&);
 GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&);
 GLenum get_buffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
 

@@ -11,11 +11,11 @@ namespace clearpipe::api::validate {
 
 namespace {
 
-GLenum palette_image(const Palette& palette, GLint level, GLsizei width, GLsizei height,
-                     GLint border, GLsizei size, const void* data) {
+GLenum palette_image(GLenum target, const Palette& palette, GLint level, GLsizei width,
+                     GLsizei height, GLint border, GLsizei size, const void* data) {
   // The level is minus the number of levels beyond the base (3.7.4).
   if (level > 0 || level <= -kTextureLevels) return GL_INVALID_VALUE;
-  if (const GLenum error = level_and_size(0, width, height, border)) return error;
+  if (const GLenum error = level_and_size(target, 0, width, height, border)) return error;
   if (-level > 0 && std::max(width, height) >> -level == 0) return GL_INVALID_VALUE;
   int64_t expected = static_cast<int64_t>(pixel_bytes(palette.format, palette.type))
                      << palette.index_bits;
@@ -51,10 +51,10 @@ GLenum compressed_tex_image(const Context&, GLenum target, GLint level, GLenum i
                             const void* data) {
   const Palette palette = palette_of(internal);
   const CompressedFormat* format = compressed_format(internal);
-  if (target != GL_TEXTURE_2D || (palette.index_bits == 0 && !format)) return GL_INVALID_ENUM;
-  if (!format) return palette_image(palette, level, width, height, border, size, data);
+  if (!is_image_target(target) || (palette.index_bits == 0 && !format)) return GL_INVALID_ENUM;
+  if (!format) return palette_image(target, palette, level, width, height, border, size, data);
   if (border != 0) return GL_INVALID_OPERATION;
-  if (const GLenum error = level_and_size(level, width, height, 0)) return error;
+  if (const GLenum error = level_and_size(target, level, width, height, 0)) return error;
   if (!is_allowed(format->sizes, width) || !is_allowed(format->sizes, height)) {
     return GL_INVALID_OPERATION;
   }
@@ -66,10 +66,10 @@ GLenum compressed_tex_sub_image(const Context& c, GLenum target, GLint level, GL
                                 const void* data) {
   const CompressedFormat* format = compressed_format(internal);
   const bool has_palette = palette_of(internal).index_bits != 0;
-  if (target != GL_TEXTURE_2D || (!format && !has_palette)) return GL_INVALID_ENUM;
+  if (!is_image_target(target) || (!format && !has_palette)) return GL_INVALID_ENUM;
   if (has_palette) return GL_INVALID_OPERATION;  // palettes cannot be updated in part
   if (level < 0 || level >= kTextureLevels) return GL_INVALID_VALUE;
-  const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
+  const TextureLevel& to = image_of(c, target, level);
   if (to.internal != internal) return GL_INVALID_OPERATION;
   if (const GLenum error = rectangle_in_level(to, x, y, width, height)) return error;
   if (!is_allowed(format->parts, x, width, to.width) ||

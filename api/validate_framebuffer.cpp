@@ -2,7 +2,9 @@
 // EXT_framebuffer_object).
 // SPDX-License-Identifier: MIT
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/renderbuffer_format.h"
+#include "api/texture_target.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
@@ -64,8 +66,11 @@ GLenum framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenum
                            GLuint name, GLint level) {
   if (const GLenum error = attachment(c, target, point)) return error;
   if (name == 0) return GL_NO_ERROR;
-  if (texture_target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
-  if (!c.share->textures.find(name)) return GL_INVALID_OPERATION;
+  if (!is_image_target(texture_target)) return GL_INVALID_ENUM;
+  const TexturePtr texture = c.share->textures.find(name);
+  const bool fits =
+      texture && (texture->target == GL_TEXTURE_2D) == (texture_target == GL_TEXTURE_2D);
+  if (!fits) return GL_INVALID_OPERATION;
   return level >= 0 && level < kTextureLevels ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
@@ -101,9 +106,13 @@ GLenum discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GLe
 }
 
 GLenum generate_mipmap(const Context& c, GLenum target) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
-  const TextureLevel& base = c.active_unit().texture->level[0];
-  return base.internal == base.format ? GL_NO_ERROR : GL_INVALID_OPERATION;  // compressed
+  if (!is_texture_target(target)) return GL_INVALID_ENUM;
+  const TextureObject& texture = *bound_texture(c, target);
+  const bool cube = target == GL_TEXTURE_CUBE_MAP_OES;
+  if (cube && !is_cube_complete(texture)) return GL_INVALID_OPERATION;
+  const GLenum internal = texture.level[0].internal;
+  // Not from compressed images.
+  return internal == 0 || base_format(internal) != 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
 }  // namespace clearpipe::api::validate

@@ -24,10 +24,10 @@ GLenum copied_format(const Context& c, GLenum format) {
   return wants_alpha && !read_target(c).colour->has_alpha ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
-GLenum sub_rectangle(const Context& c, GLint level, GLint x, GLint y, GLsizei width,
+GLenum sub_rectangle(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
                      GLsizei height) {
   if (level < 0 || level >= kTextureLevels) return GL_INVALID_VALUE;
-  const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
+  const TextureLevel& to = image_of(c, target, level);
   // Neither an absent image nor a compressed one has parts (3.7.4).
   if (base_format(to.internal) == 0) return GL_INVALID_OPERATION;
   return rectangle_in_level(to, x, y, width, height);
@@ -44,9 +44,14 @@ GLenum unknown_format(GLenum internal, GLenum error) {
 
 }  // namespace
 
-GLenum level_and_size(GLint level, GLsizei width, GLsizei height, GLint border) {
+const TextureLevel& image_of(const Context& c, GLenum target, GLint level) {
+  return bound_texture(c, target)->level[image_index(target, level)];
+}
+
+GLenum level_and_size(GLenum target, GLint level, GLsizei width, GLsizei height, GLint border) {
   if (level < 0 || level >= kTextureLevels || border != 0) return GL_INVALID_VALUE;
-  const GLsizei limit = kMaxTextureSize >> level;
+  if (is_cube_face(target) && width != height) return GL_INVALID_VALUE;
+  const GLsizei limit = (is_cube_face(target) ? kMaxCubeMapSize : kMaxTextureSize) >> level;
   return width < 0 || height < 0 || width > limit || height > limit ? GL_INVALID_VALUE
                                                                     : GL_NO_ERROR;
 }
@@ -61,38 +66,39 @@ GLenum rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei w
 
 GLenum tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
                  GLsizei height, GLint border, GLenum format, GLenum type, const void*) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
+  if (!is_image_target(target)) return GL_INVALID_ENUM;
   const GLenum held = static_cast<GLenum>(internal);
   if (base_format(held) == 0) return unknown_format(held, GL_INVALID_VALUE);
   const GLenum pair = format_and_type(format, type);
   if (pair == GL_INVALID_ENUM) return pair;
-  if (const GLenum error = level_and_size(level, width, height, border)) return error;
+  if (const GLenum error = level_and_size(target, level, width, height, border)) return error;
   return upload_format(held) == format && has_enough_bits(held, type) ? pair : GL_INVALID_OPERATION;
 }
 
 GLenum tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
                      GLsizei height, GLenum format, GLenum type, const void*) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
+  if (!is_image_target(target)) return GL_INVALID_ENUM;
   const GLenum pair = format_and_type(format, type);
   if (pair == GL_INVALID_ENUM) return pair;
-  if (const GLenum error = sub_rectangle(c, level, x, y, width, height)) return error;
-  const GLenum held = c.active_unit().texture->level[static_cast<size_t>(level)].internal;
+  if (const GLenum error = sub_rectangle(c, target, level, x, y, width, height)) return error;
+  const GLenum held = image_of(c, target, level).internal;
   return upload_format(held) == format ? pair : GL_INVALID_OPERATION;
 }
 
 GLenum copy_tex_image(const Context& c, GLenum target, GLint level, GLenum internal, GLint, GLint,
                       GLsizei width, GLsizei height, GLint border) {
-  if (target != GL_TEXTURE_2D || internal == GL_BGRA_EXT) return GL_INVALID_ENUM;
+  if (!is_image_target(target) || internal == GL_BGRA_EXT) return GL_INVALID_ENUM;
   if (base_format(internal) == 0) return unknown_format(internal, GL_INVALID_ENUM);
-  if (const GLenum error = level_and_size(level, width, height, border)) return error;
+  if (const GLenum error = level_and_size(target, level, width, height, border)) return error;
   return copied_format(c, base_format(internal));
 }
 
 GLenum copy_tex_sub_image(const Context& c, GLenum target, GLint level, GLint xoffset,
                           GLint yoffset, GLint, GLint, GLsizei width, GLsizei height) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
-  if (const GLenum error = sub_rectangle(c, level, xoffset, yoffset, width, height)) return error;
-  return copied_format(c, c.active_unit().texture->level[static_cast<size_t>(level)].format);
+  if (!is_image_target(target)) return GL_INVALID_ENUM;
+  if (const GLenum error = sub_rectangle(c, target, level, xoffset, yoffset, width, height))
+    return error;
+  return copied_format(c, image_of(c, target, level).format);
 }
 
 }  // namespace clearpipe::api::validate

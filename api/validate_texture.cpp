@@ -1,5 +1,6 @@
 // Validators of texture objects, their parameters and environments (3.6.1, 3.7.5, 3.7.11, 3.7.12).
 // SPDX-License-Identifier: MIT
+#include "api/texture_target.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
@@ -20,8 +21,11 @@ GLenum pixel_store(const Context&, GLenum pname, GLint param) {
   return param == 1 || param == 2 || param == 4 || param == 8 ? GL_NO_ERROR : GL_INVALID_VALUE;
 }
 
-GLenum texture_target(const Context&, GLenum target, GLuint) {
-  return enum_if(target == GL_TEXTURE_2D);
+// A texture keeps the target that it was first bound to.
+GLenum bind_texture(const Context& c, GLenum target, GLuint name) {
+  if (!is_texture_target(target)) return GL_INVALID_ENUM;
+  const TexturePtr texture = c.share->textures.find(name);
+  return texture && texture->target != target ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 GLenum names(const Context&, GLsizei n, const GLuint*) {
@@ -29,7 +33,7 @@ GLenum names(const Context&, GLsizei n, const GLuint*) {
 }
 
 GLenum tex_parameter(const Context&, GLenum target, GLenum pname, const Params& p) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
+  if (!is_texture_target(target)) return GL_INVALID_ENUM;
   const GLenum value = p.enumerant();
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
@@ -92,6 +96,11 @@ GLenum tex_env(const Context&, GLenum target, GLenum pname, const Params& p) {
     default:
       return GL_INVALID_ENUM;
   }
+}
+
+GLenum tex_gen(const Context&, GLenum coord, GLenum pname, const Params& p) {
+  return enum_if(coord == GL_TEXTURE_GEN_STR_OES && pname == GL_TEXTURE_GEN_MODE_OES &&
+                 (p.enumerant() == GL_NORMAL_MAP_OES || p.enumerant() == GL_REFLECTION_MAP_OES));
 }
 
 }  // namespace clearpipe::api::validate

@@ -22,13 +22,14 @@ bool any_positional_light(const VertexState& state) {
 VertexPlan make_vertex_plan(const DrawCommand& draw, const VertexState& state) {
   VertexPlan plan;
   plan.points = draw.primitive == Primitive::kPoints;
-  plan.normal = state.lighting;
-  plan.eye_position = state.clip_planes != 0 || (plan.points && state.point_attenuated) ||
+  plan.normal = state.lighting || (state.reflection_map | state.normal_map) != 0;
+  plan.eye_position = state.clip_planes != 0 || state.reflection_map != 0 ||
+                      (plan.points && state.point_attenuated) ||
                       (state.lighting && any_positional_light(state));
   plan.eye_z = state.fog && !plan.eye_position;
 
   plan.attributes = bit(Attribute::kPosition);
-  if (state.lighting) {
+  if (plan.normal) {
     plan.attributes |= bit(Attribute::kNormal);
   }
   if (!state.lighting || state.colour_material) {

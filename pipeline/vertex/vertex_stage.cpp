@@ -1,7 +1,7 @@
 // The order of the vertex stages, compiled once per SIMD target (2.8 to 2.12).
 //
-// fetch -> transform -> clip tests -> viewport -> texture coordinates -> colour -> points, fog ->
-// records, a batch at a time.
+// fetch -> transform -> clip tests -> viewport -> normals, texture coordinates -> colour -> points,
+// fog -> records, a batch at a time.
 // SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
@@ -17,6 +17,7 @@
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/record-inl.h"
 #include "pipeline/vertex/texcoord-inl.h"
+#include "pipeline/vertex/texgen-inl.h"
 #include "pipeline/vertex/transform-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -70,11 +71,16 @@ void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_
     test_user_planes(state, batch.eye, count, batch.clip_distance, batch.outcode);
   }
 
+  if (plan.normal) {
+    transform_normal(state, attribute(Attribute::kNormal), count, batch.normal);
+  }
+  if (state.reflection_map != 0) {
+    reflection_vector(batch.eye, batch.normal, count, batch.reflection);
+  }
   transform_texture_coordinates(state, batch, count);
 
   const Lane* current = attribute(Attribute::kColour);
   if (state.lighting) {
-    transform_normal(state, attribute(Attribute::kNormal), count, batch.normal);
     light_vertices(state, batch.eye, batch.normal, current, count, batch.colour, batch.back_colour);
   } else {
     clamp_colour(current, count, batch.colour);

@@ -14,6 +14,7 @@
 #include "pipeline/vertex/point-inl.h"
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/texcoord-inl.h"
+#include "pipeline/vertex/texgen-inl.h"
 #include "pipeline/vertex/transform-inl.h"
 #include "pipeline/vertex/vertex_test_kernels.h"
 
@@ -55,6 +56,9 @@ void position_all(const Mat4& matrix, const Lane* in, size_t count, Lane* out) {
 void normal_all(const VertexState& state, const Lane* in, size_t count, Lane* out) {
   transform_normal(state, in, count, out);
 }
+void reflection_all(const Lane* eye, const Lane* normal, size_t count, Lane* out) {
+  reflection_vector(eye, normal, count, out);
+}
 void texture_all(const VertexState& state, VertexBatch& batch, size_t count) {
   transform_texture_coordinates(state, batch, count);
 }
@@ -81,8 +85,9 @@ void fog_all(const float* eye_z, size_t count, float* fog) { fog_coordinate(eye_
 
 const VertexTestKernels* test_kernels() {
   static constexpr VertexTestKernels kKernels = {
-      &fetch_all, &position_all, &normal_all, &texture_all, &clip_all, &user_all, &project_all,
-      &light_all, &clamp_all,    &point_all,  &fog_all,     &log2_all, &exp2_all, &power_all};
+      &fetch_all, &position_all, &normal_all,  &reflection_all, &texture_all,
+      &clip_all,  &user_all,     &project_all, &light_all,      &clamp_all,
+      &point_all, &fog_all,      &log2_all,    &exp2_all,       &power_all};
   return &kKernels;
 }
 
