@@ -8,6 +8,7 @@
 
 #include "api/context.h"
 #include "api/debug.h"
+#include "api/invalid.h"
 #include "api/state.h"
 #include "pipeline/exec/frame.h"
 
@@ -23,7 +24,7 @@ struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
-  GLenum raised = GL_NO_ERROR;  // by the call that is running
+  Invalid raised;               // by the call that is running
   bool no_error = false;        // KHR_no_error: nothing but OUT_OF_MEMORY is reported
   DebugState debug;
   uint32_t dirty = kDirtyAll;
@@ -58,10 +59,10 @@ struct Context {
     clock->fetch_add(1, std::memory_order_release);
   }
   // The first error sticks until it is asked for (2.5).
-  void set_error(GLenum value) {
-    if (no_error && value != GL_OUT_OF_MEMORY) return;
-    if (error == GL_NO_ERROR) error = value;
-    raised = value;
+  void set_error(const Invalid& wrong) {
+    if (no_error && wrong.error != GL_OUT_OF_MEMORY) return;
+    if (error == GL_NO_ERROR) error = wrong.error;
+    raised = wrong;
   }
 };
 

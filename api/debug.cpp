@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "api/context_state.h"
+#include "api/error_text.h"
 
 namespace clearpipe::api {
 
@@ -40,40 +41,6 @@ bool is_wanted(const DebugGroup& group, const DebugMessage& m) {
   return wanted;
 }
 
-struct ErrorText {
-  const char *name, *meaning;
-};
-ErrorText error_text(GLenum error) {  // table 2.3
-  switch (error) {
-    case GL_INVALID_ENUM:
-      return {"GL_INVALID_ENUM", "an enumerant is none that the call accepts"};
-    case GL_INVALID_VALUE:
-      return {"GL_INVALID_VALUE", "a number is out of range"};
-    case GL_INVALID_OPERATION:
-      return {"GL_INVALID_OPERATION", "not allowed in the current state"};
-    case GL_STACK_OVERFLOW:
-      return {"GL_STACK_OVERFLOW", "the stack is full"};
-    case GL_STACK_UNDERFLOW:
-      return {"GL_STACK_UNDERFLOW", "the stack has nothing to pop"};
-    case GL_INVALID_FRAMEBUFFER_OPERATION_OES:
-      return {"GL_INVALID_FRAMEBUFFER_OPERATION_OES", "the framebuffer is not complete"};
-    default:
-      return {"GL_OUT_OF_MEMORY", "memory does not suffice"};
-  }
-}
-
-// The first of a list of names and expressions, which is cut off it.
-std::string_view next_name(std::string_view& names) {
-  int depth = 0;
-  size_t end = 0;
-  for (; end < names.size() && (depth > 0 || names[end] != ','); ++end) {
-    depth += names[end] == '(' ? 1 : names[end] == ')' ? -1 : 0;
-  }
-  const std::string_view name = names.substr(0, end);
-  names.remove_prefix(std::min(end + 2, names.size()));
-  return name;
-}
-
 }  // namespace
 
 void add_message(Context& c, DebugMessage message) {
@@ -99,44 +66,11 @@ void deliver_messages(Context& c) noexcept try {
 
 bool wants_errors(const Context& c) { return c.debug.output || to_stderr(); }
 
-void add_error_message(Context& c, const char* call, std::string_view names,
-                       const std::vector<std::string>& values, GLenum error) {
-  const ErrorText& what = error_text(error);
-  names.remove_prefix(1);  // the list stands in parentheses
-  names.remove_suffix(1);
-  std::string text = std::string(what.name) + " in " + call + "(";
-  for (size_t i = 0; i < values.size(); ++i) {
-    const std::string_view name = next_name(names);
-    if (i != 0) text += ", ";
-    text.append(name);
-    if (values[i] != "...") text += " = " + values[i];
-  }
-  text += std::string("): ") + what.meaning;
+void add_error_message(Context& c, const CallText& call, const std::vector<Argument>& arguments) {
+  std::string text = error_text(call, arguments, c.raised);
   if (to_stderr()) std::fprintf(stderr, "clearpipe: %s\n", text.c_str());
-  add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, error,
+  add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, c.raised.error,
                   GL_DEBUG_SEVERITY_HIGH_KHR, std::move(text)});
-}
-
-std::string signed_text(long long value) { return std::to_string(value); }
-
-std::string unsigned_text(unsigned long long value) {
-  if (value < 0x100) return std::to_string(value);
-  char text[24];
-  std::snprintf(text, sizeof text, "0x%04llX", value);  // an enumerant, most likely
-  return text;
-}
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
-std::string pointer_text(const void* value) {
-  if (!value) return "null";
-  char text[32];
-  std::snprintf(text, sizeof text, "%p", value);
-  return text;
 }
 
 std::string* find_label(Context& c, GLenum identifier, GLuint name) {

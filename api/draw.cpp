@@ -125,7 +125,7 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   command.primitive = static_cast<pipeline::Primitive>(mode);
   if (!bind_arrays(c, command)) return;
   note_uses(c, command);
-  if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
+  if (!c.frame.draw(command)) c.set_error(kOutOfMemory);
 }
 
 // Rounds as the reference does, to even: 0.3 is 76, 0.9 is 230.
@@ -203,7 +203,7 @@ void clear(Context& c, GLbitfield mask) {
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
   note_drawn_texture(c);
-  if (!c.frame.clear(command)) c.set_error(GL_OUT_OF_MEMORY);
+  if (!c.frame.clear(command)) c.set_error(kOutOfMemory);
 }
 
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,

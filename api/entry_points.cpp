@@ -50,10 +50,10 @@ template <typename Report>
 class AtEnd {
  public:
   AtEnd(Context& context, const Report& report) : context_(context), report_(report) {
-    context_.raised = GL_NO_ERROR;
+    context_.raised = {};
   }
   ~AtEnd() {
-    if (context_.raised != GL_NO_ERROR && wants_errors(context_)) try {
+    if (context_.raised && wants_errors(context_)) try {
         report_(context_);
       } catch (...) {
         // A message that finds no memory is lost.
@@ -69,9 +69,8 @@ class AtEnd {
 };
 
 template <typename... Arguments>
-void report_error(Context& context, const char* call, const char* names,
-                  const Arguments&... arguments) {
-  add_error_message(context, call, names, {argument_text(arguments)...}, context.raised);
+void report_error(Context& context, const CallText& call, const Arguments&... arguments) {
+  add_error_message(context, call, {make_argument(arguments)...});
 }
 
 template <typename Return, bool kLocks, typename Body, typename Report>
@@ -87,7 +86,7 @@ Return enter(const Body& body, const Report& report) noexcept {
       return body(*context);
     }
   } catch (...) {
-    context->set_error(GL_OUT_OF_MEMORY);
+    context->set_error(kOutOfMemory);
     return Return();
   }
 }
@@ -95,20 +94,19 @@ Return enter(const Body& body, const Report& report) noexcept {
 }  // namespace
 
 #define AFTER_CONTEXT(...) __VA_OPT__(, ) __VA_ARGS__
-#define CALL(type, name, parameters, arguments, validator, executor, group, stages)        \
-  extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
-    const auto report = [&](Context& context) {                                            \
-      report_error(context, "gl" #name, #arguments AFTER_CONTEXT arguments);               \
-    };                                                                                     \
-    const auto body = [&](Context& context) -> type {                                      \
-      const GLenum error = validate::validator(context AFTER_CONTEXT arguments);           \
-      if (error != GL_NO_ERROR) {                                                          \
-        context.set_error(error);                                                          \
-        return nothing<type>();                                                            \
-      }                                                                                    \
-      return exec::executor(context AFTER_CONTEXT arguments);                              \
-    };                                                                                     \
-    return enter<type, locks(#group)>(body, report);                                       \
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages)         \
+  extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters {  \
+    const auto report = [&](Context& context) {                                             \
+      report_error(context, {"gl" #name, #parameters, #arguments} AFTER_CONTEXT arguments); \
+    };                                                                                      \
+    const auto body = [&](Context& context) -> type {                                       \
+      if (const Invalid wrong = validate::validator(context AFTER_CONTEXT arguments)) {     \
+        context.set_error(wrong);                                                           \
+        return nothing<type>();                                                             \
+      }                                                                                     \
+      return exec::executor(context AFTER_CONTEXT arguments);                               \
+    };                                                                                      \
+    return enter<type, locks(#group)>(body, report);                                        \
   }
 #include "api/gles1.def"
 #undef CALL
