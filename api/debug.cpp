@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "api/context_state.h"
@@ -15,7 +16,7 @@ namespace clearpipe::api {
 
 namespace {
 
-// CLEARPIPE_DEBUG=1: errors go to stderr as well.
+// CLEARPIPE_DEBUG=1: errors go to stderr as well, and the first of each kind of what is slow.
 bool to_stderr() {
   static const bool on = [] {
     const char* value = std::getenv("CLEARPIPE_DEBUG");
@@ -41,6 +42,29 @@ bool is_wanted(const DebugGroup& group, const DebugMessage& m) {
   return wanted;
 }
 
+struct SlowText {
+  GLenum severity;
+  const char* text;
+};
+constexpr SlowText kSlowTexts[] = {
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "what was recorded so far is drawn now, and the call waits for it"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "draws that are not executed yet read what is changed: all of it is copied first"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "draws that are not executed yet read what is changed: they are executed first, and the call "
+     "waits for them"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "a texture is sampled by the draw that draws to it: what was recorded so far is drawn now, "
+     "and "
+     "the texture is copied"},
+    {GL_DEBUG_SEVERITY_LOW_KHR,
+     "what was recorded for the former framebuffer is drawn now, and the call waits for it"},
+    {GL_DEBUG_SEVERITY_LOW_KHR,
+     "vertices in client memory are copied at each draw; those in buffer objects are not"},
+};
+static_assert(std::size(kSlowTexts) == static_cast<size_t>(Slow::kCount));
+
 }  // namespace
 
 void add_message(Context& c, DebugMessage message) {
@@ -64,7 +88,21 @@ void deliver_messages(Context& c) noexcept try {
   c.debug.delivering = false;  // a message that finds no memory is lost
 }
 
-bool wants_errors(const Context& c) { return c.debug.output || to_stderr(); }
+bool wants_messages(const Context& c) { return c.debug.output || to_stderr(); }
+
+void add_performance_messages(Context& c, const char* call) {
+  for (GLuint i = 0; i < std::size(kSlowTexts); ++i) {
+    const uint32_t bit = 1u << i;
+    if (!(c.debug.slow & bit)) continue;
+    std::string text = std::string(call) + ": " + kSlowTexts[i].text;
+    if (to_stderr() && !(c.debug.slow_told & bit)) {
+      c.debug.slow_told |= bit;
+      std::fprintf(stderr, "clearpipe: %s (said once)\n", text.c_str());
+    }
+    add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_PERFORMANCE_KHR, i,
+                    kSlowTexts[i].severity, std::move(text)});
+  }
+}
 
 void add_error_message(Context& c, const CallText& call, const std::vector<Argument>& arguments) {
   std::string text = error_text(call, arguments, c.raised);

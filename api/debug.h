@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
@@ -42,6 +43,17 @@ struct DebugGroup {
   std::vector<DebugRule> rules;
 };
 
+// What makes a call slow that is not wrong, each the identifier of its performance message.
+enum class Slow : GLuint {
+  kWaits,          // the frame is drawn, and the call waits for it
+  kCopies,         // data that an unfinished frame reads is copied before it is changed
+  kFinishes,       // the frame is drawn because it reads data that is to be changed
+  kSamplesTarget,  // a draw samples the image it draws to
+  kChangesTarget,  // the frame is drawn because the next one goes to other images
+  kClientArrays,   // vertices in client memory are copied
+  kCount
+};
+
 struct DebugState {
   bool output = false;
   bool synchronous = false;  // messages always come before the call returns, on its thread
@@ -52,6 +64,8 @@ struct DebugState {
   std::vector<std::string> markers;                             // the groups of EXT_debug_marker
   bool delivering = false;            // what a callback causes by calls of its own is not reported
   std::vector<DebugMessage> waiting;  // made under the lock of the share group, not yet delivered
+  uint32_t slow = 0;                  // by the call that is running, a bit each
+  uint32_t slow_told = 0;             // on stderr, once each
 };
 
 // The object's label, or null: there is none of that name.
@@ -90,8 +104,13 @@ struct CallText {
   const char *name, *parameters, *arguments;
 };
 
+// Whether anyone listens to messages of the implementation.
+bool wants_messages(const Context& context);
+
+// Makes the messages of what made a call slow.
+void add_performance_messages(Context& context, const char* call);
+
 // Makes the message of the error that a call has generated, which says what is wrong with what.
-bool wants_errors(const Context& context);
 void add_error_message(Context& context, const CallText& call,
                        const std::vector<Argument>& arguments);
 

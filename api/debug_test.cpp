@@ -1,9 +1,10 @@
 // Debug output (KHR_debug), markers (EXT_debug_marker) and contexts without errors (KHR_no_error).
 // SPDX-License-Identifier: MIT
+#include <functional>
 #include <string>
 
 #include "api/call_fixture.h"
-#include "api/khr_debug.h"
+#include "api/debug.h"
 
 namespace clearpipe::api {
 namespace {
@@ -43,6 +44,14 @@ class Debug : public CallTest {
     glGetDebugMessageLogKHR(1, sizeof text, nullptr, nullptr, nullptr, nullptr, nullptr, text);
     return text;
   }
+  // With vertices in a buffer object.
+  void draw_buffered() {
+    glBindBuffer(GL_ARRAY_BUFFER, quad_);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(2, GL_FLOAT, 0, nullptr);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  GLuint quad_ = 0;
   std::vector<Seen> seen_;
 };
 
@@ -122,6 +131,72 @@ TEST_F(Debug, NothingIsSaidWhileDisabled) {
   EXPECT_TRUE(glIsEnabled(GL_DEBUG_OUTPUT_KHR));
   make_current(context_, target_, target_);
   destroy_context(debugged);
+}
+
+// What is slow says so, with its reason; the same calls are silent where they cost nothing.
+TEST_F(Debug, SlowCallsSaySo) {
+  glDebugMessageCallbackKHR(callback, &seen_);
+  glEnable(GL_DEBUG_OUTPUT_KHR);
+  glDebugMessageControlKHR(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE_KHR, GL_DONT_CARE, 0, nullptr,
+                           GL_TRUE);
+  const auto expect_slow = [this](Slow why, const char* call, const std::function<void()>& slow) {
+    glFinish();
+    seen_.clear();
+    slow();  // nothing is recorded that it could wait for
+    EXPECT_TRUE(seen_.empty()) << call << ": " << seen_[0].text;
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_buffered();
+    seen_.clear();
+    slow();
+    ASSERT_EQ(seen_.size(), 1u) << call;
+    EXPECT_EQ(seen_[0].type, static_cast<GLenum>(GL_DEBUG_TYPE_PERFORMANCE_KHR));
+    EXPECT_EQ(seen_[0].id, static_cast<GLuint>(why)) << call;
+    EXPECT_EQ(seen_[0].text.find(std::string(call) + ": "), 0u) << seen_[0].text;
+  };
+  glGenBuffers(1, &quad_);
+  glBindBuffer(GL_ARRAY_BUFFER, quad_);
+  static const float kQuad[] = {-1, -1, 1, -1, -1, 1, 1, 1};
+  glBufferData(GL_ARRAY_BUFFER, sizeof kQuad, kQuad, GL_STATIC_DRAW);
+  one_colour_texture(kRed, 4);
+  uint32_t texel = kGreen;
+  expect_slow(Slow::kWaits, "glReadPixels",
+              [&] { glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &texel); });
+  expect_slow(Slow::kWaits, "glFlush", [] { glFlush(); });
+  expect_slow(Slow::kWaits, "glCopyTexImage2D",
+              [] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0); });
+  expect_slow(Slow::kWaits, "glCopyTexSubImage2D",
+              [] { glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 1, 1); });
+  const auto change = [&] {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
+  };
+  expect_slow(Slow::kCopies, "glTexSubImage2D", change);
+  expect_slow(Slow::kCopies, "glBufferSubData",
+              [] { glBufferSubData(GL_ARRAY_BUFFER, 0, 4, kQuad); });
+  expect_slow(Slow::kCopies, "glMapBufferOES", [] {
+    glMapBufferOES(GL_ARRAY_BUFFER, GL_WRITE_ONLY_OES);
+    glUnmapBufferOES(GL_ARRAY_BUFFER);
+  });
+  fill_texture(kRed, 512);
+  expect_slow(Slow::kFinishes, "glTexSubImage2D", change);
+  expect_slow(Slow::kChangesTarget, "glBindFramebufferOES",
+              [] { glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0); });
+
+  GLint texture = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, 1);
+  glFramebufferTexture2DOES(GL_FRAMEBUFFER_OES, GL_COLOR_ATTACHMENT0_OES, GL_TEXTURE_2D,
+                            static_cast<GLuint>(texture), 0);
+  seen_.clear();
+  draw_buffered();
+  ASSERT_EQ(seen_.size(), 1u);
+  EXPECT_EQ(seen_[0].id, static_cast<GLuint>(Slow::kSamplesTarget));
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  seen_.clear();
+  draw_quad();
+  ASSERT_EQ(seen_.size(), 1u);
+  EXPECT_EQ(seen_[0].id, static_cast<GLuint>(Slow::kClientArrays));
+  EXPECT_EQ(seen_[0].text.find("glDrawArrays: "), 0u);
 }
 
 TEST_F(Debug, WithoutACallbackMessagesAreLogged) {

@@ -176,7 +176,7 @@ pipeline::Target read_target(const Context& c) {
 }
 
 void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Target& read) {
-  c.finish_frame();
+  c.finish_frame(Slow::kChangesTarget);
   c.frame.set_target(draw);
   c.draw = draw;
   c.read = read;
@@ -195,7 +195,9 @@ void note_drawn_texture(Context& c) {
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (c.framebuffer && c.framebuffer->colour.texture.get() == &texture) c.finish_frame();
+  if (c.framebuffer && c.framebuffer->colour.texture.get() == &texture) {
+    c.finish_frame(Slow::kFinishes);
+  }
 }
 
 bool samples_its_target(const Context& c, const TextureObject& texture) {
@@ -221,7 +223,7 @@ void detach(Context& c, const TexturePtr& texture) {
   FramebufferObject& f = *c.framebuffer;
   for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
     if (a->texture != texture) continue;
-    c.finish_frame();
+    c.finish_frame(Slow::kChangesTarget);
     *a = {};
   }
 }
@@ -231,7 +233,7 @@ void detach(Context& c, const RenderbufferPtr& renderbuffer) {
   FramebufferObject& f = *c.framebuffer;
   for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
     if (a->renderbuffer != renderbuffer) continue;
-    c.finish_frame();
+    c.finish_frame(Slow::kChangesTarget);
     *a = {};
   }
 }
