@@ -77,6 +77,7 @@ void run_back(const std::vector<DrawRecord>& draws,
   for (Tile& tile : tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;
     tile.y = tile_index / grid.columns * kTileHeight;
+    tile.mirror_height = target.mirrored ? target.height : 0;
   }
   TilePlanes planes(target, tiles.data(), tile_index);
   const int samples = planes.samples();

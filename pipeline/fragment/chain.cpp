@@ -19,7 +19,7 @@ namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 class Chain {
  public:
   Chain(const FragmentProgram& program, const PrimitivePlanes& planes, Tile& tile)
-      : context_{program, planes, tile.x, tile.y}, tile_(tile), gathered_(planes, tile.x, tile.y) {}
+      : context_{program, planes, tile}, tile_(tile), gathered_(planes, tile) {}
 
   void add_run(int row, int column, int length) {
     while (length > 0) {

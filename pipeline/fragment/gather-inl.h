@@ -25,8 +25,8 @@ namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 
 class GatheredBatch {
  public:
-  GatheredBatch(const PrimitivePlanes& planes, int tile_x, int tile_y)
-      : tile_x_(tile_x), tile_y_(tile_y), to_x_(0.5f - planes.x_ref), to_y_(0.5f - planes.y_ref) {
+  GatheredBatch(const PrimitivePlanes& planes, const Tile& tile)
+      : tile_x_(tile.x), tile_y_(tile.y), to_x_(0.5f - planes.x_ref), to_y_(0.5f - planes.y_ref) {
     batch_.count = 0;
   }
 

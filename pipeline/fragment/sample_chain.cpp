@@ -37,10 +37,10 @@ class SampleChain {
  public:
   SampleChain(const FragmentProgram& program, const PrimitivePlanes& planes,
               const SampleDepths& depths, Tile* tiles)
-      : context_{program, planes, tiles[0].x, tiles[0].y},
+      : context_{program, planes, tiles[0]},
         depths_(depths),
         tiles_(tiles),
-        gathered_(planes, tiles[0].x, tiles[0].y) {}
+        gathered_(planes, tiles[0]) {}
 
   void add_run(const Coverage* coverage, int row, int column, int length) {
     while (length > 0) {

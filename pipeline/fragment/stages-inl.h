@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct StageContext {
   const FragmentProgram& program;
   const PrimitivePlanes& planes;
-  int tile_x, tile_y;  // window coordinates of the tile's first pixel
+  const Tile& tile;  // of a multisampled target, that of any sample: only its place matters
 };
 
 namespace stage {
@@ -55,7 +55,7 @@ inline void sample_texture(const StageContext& context, FragmentBatch& batch, in
   const Plane* planes = context.planes.texture[unit];
   texture_coordinates(planes, batch);
   if (u.sample.needs_lod) {
-    level_of_detail(context.planes, planes, u.sample, context.tile_x, context.tile_y, batch);
+    level_of_detail(context.planes, planes, u.sample, context.tile, batch);
   }
   u.sample_function(u.sample, batch, unit);
 }
