@@ -34,7 +34,7 @@ class FusedLoop {
         planes_(planes),
         tile_(tile),
         tests_(program.depth_test || program.stencil.enabled),
-        depth_{program.depth_test, program.depth_write, program.depth_func},
+        depth_(depth_state(program)),
         unit0_(program, planes, tile, 0),
         unit1_(program, planes, tile, 1) {
     opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "pipeline/raster/samples.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/state.h"
 
@@ -64,6 +65,7 @@ struct FragmentProgram;  // opaque outside fragment/
 // owned by the caller's arena through destroy_fragment_program.
 struct FragmentTarget {
   bool has_depth = false, has_stencil = false;
+  bool multisampled = false;  // then the program is for shade_samples
 };
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage);
@@ -87,5 +89,9 @@ FragmentOutputs fragment_outputs(const FragmentProgram& program);
 // Shades the pixels in `coverage`; colour and depth/stencil of `tile` are updated in place.
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
            Tile& tile);
+
+// The same for a multisampled target: coverage and a tile for each sample.
+void shade_samples(const FragmentProgram& program, const PrimitivePlanes& planes,
+                   const Coverage coverage[kSampleCount], Tile tiles[kSampleCount]);
 
 }  // namespace clearpipe::pipeline
