@@ -80,7 +80,7 @@ void tex_sub_image(Context& c, GLenum target, GLint level, GLint x, GLint y, GLs
 
 void copy_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
-  c.finish_frame();
+  c.finish_frame(Slow::kWaits);
   update_targets(c);
   pipeline::ImageLevel to = make_level(width, height);
   std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
@@ -92,7 +92,7 @@ void copy_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLi
 void copy_tex_sub_image(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                         GLint x, GLint y, GLsizei width, GLsizei height) {
   if (width == 0 || height == 0) return;
-  c.finish_frame();
+  c.finish_frame(Slow::kWaits);
   update_targets(c);
   TextureObject& texture = *bound_texture(c, target);
   const size_t image = image_index(target, level);

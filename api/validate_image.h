@@ -7,15 +7,23 @@
 
 namespace clearpipe::api::validate {
 
-// The level of an image and its size (3.7.1). Sizes need not be powers of two (OES_texture_npot);
-// the faces of a cube map are squares.
-GLenum level_and_size(GLenum target, GLint level, GLsizei width, GLsizei height, GLint border);
+// The target of an image, the first argument (3.7.1).
+Invalid image_target(GLenum target);
 
 // The image of the bound texture; the level must be one.
 const TextureLevel& image_of(const Context&, GLenum target, GLint level);
 
-// A part of an image lies inside of it (3.7.2).
-GLenum rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei width,
-                          GLsizei height);
+// The level of an image, the second argument (3.7.1).
+Invalid image_level(GLint level);
+
+// Its width, height and border, three arguments in a row (3.7.1). Sizes need not be powers of two
+// (OES_texture_npot); the faces of a cube map are squares.
+Invalid image_size(GLenum target, GLint level, GLsizei width, GLsizei height);
+Invalid image_border(GLint border);
+
+// A part of an image lies inside of it (3.7.2): the third and the fourth argument, and two that
+// stand together at another place.
+Invalid rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei width,
+                           GLsizei height, int size_at);
 
 }  // namespace clearpipe::api::validate

@@ -103,10 +103,9 @@ HWY_INLINE V cube_level_of_detail(D d, const Face<D>& face, const Direction<V>& 
   return half_log2(d, positive_number(d, hn::Max(squared(along_x), squared(along_y))));
 }
 
-// Fills batch.s, batch.t, batch.face and batch.lod. (tile_x, tile_y) is the tile's first pixel.
+// Fills batch.s, batch.t, batch.face and batch.lod.
 inline void cube_coordinates(const PrimitivePlanes& primitive, const Plane* planes,
-                             const SampleState& sample, int tile_x, int tile_y,
-                             FragmentBatch& batch) {
+                             const SampleState& sample, const Tile& tile, FragmentBatch& batch) {
   using D = hn::ScalableTag<float>;
   using V = hn::Vec<D>;
   const D d;
@@ -115,11 +114,12 @@ inline void cube_coordinates(const PrimitivePlanes& primitive, const Plane* plan
   const V zero = hn::Zero(d), half = hn::Set(d, 0.5f), one = hn::Set(d, 1.0f);
   alignas(64) int32_t column[kBatchSize], row[kBatchSize];
   for (int i = 0; i < batch.count; ++i) {
-    column[i] = tile_x + (batch.offset[i] % kTileWidth & ~1);
-    row[i] = tile_y + (batch.offset[i] / kTileWidth & ~1);
+    column[i] = tile.x + (batch.offset[i] % kTileWidth & ~1);
+    row[i] = quad_row(tile, tile.y + batch.offset[i] / kTileWidth);
   }
   const V to_x = hn::Set(d, 0.5f - primitive.x_ref);
   const V to_y = hn::Set(d, 0.5f - primitive.y_ref);
+  const V next_row = hn::Set(d, tile.mirror_height == 0 ? 1.0f : -1.0f);
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V x = hn::Load(d, batch.x + i), y = hn::Load(d, batch.y + i);
     const auto at = [&](V px, V py) HWY_ATTR { return direction_at(d, primitive, planes, px, py); };
@@ -137,7 +137,7 @@ inline void cube_coordinates(const PrimitivePlanes& primitive, const Plane* plan
     const V x0 = hn::Add(hn::ConvertTo(d, hn::Load(di, column + i)), to_x);
     const V y0 = hn::Add(hn::ConvertTo(d, hn::Load(di, row + i)), to_y);
     const Direction<V> along_x = difference(at(hn::Add(x0, one), y), at(x0, y));
-    const Direction<V> along_y = difference(at(x, hn::Add(y0, one)), at(x, y0));
+    const Direction<V> along_y = difference(at(x, hn::Add(y0, next_row)), at(x, y0));
     hn::Store(cube_level_of_detail(d, face, v, along_x, along_y, size), d, batch.lod + i);
   }
 }
