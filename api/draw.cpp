@@ -6,9 +6,48 @@
 #include <cstring>
 #include <vector>
 
+#include "api/draw.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+// A bound texture may have been changed here or through another context.
+void notice_changed_textures(Context& c) {
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& unit = c.state.texture.unit[u];
+    if (!unit.enabled) continue;
+    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
+    if (samples_its_target(c, *unit.texture)) {
+      c.note_slow(Slow::kSamplesTarget);
+      c.finish_frame();  // the draw samples what the level holds now
+      c.dirty |= kDirtyFragment;
+    }
+  }
+}
+
+}  // namespace
+
+void update_draw_state(Context& c) {
+  update_targets(c);
+  notice_changed_textures(c);
+  if (c.dirty & kDirtyVertex) derive_vertex(c);
+  if (c.dirty & kDirtyRaster) derive_raster(c);
+  if (c.dirty & kDirtyFragment) derive_fragment(c);
+  c.dirty = 0;
+}
+
+void note_texture_uses(Context& c) {
+  note_drawn_texture(c);
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
+  }
+}
+
+}  // namespace clearpipe::api
 
 namespace clearpipe::api::exec {
 
@@ -84,35 +123,9 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   return true;
 }
 
-// A bound texture may have been changed here or through another context.
-void notice_changed_textures(Context& c) {
-  for (size_t u = 0; u < kTextureUnits; ++u) {
-    const TextureUnitState& unit = c.state.texture.unit[u];
-    if (!unit.enabled) continue;
-    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
-    if (samples_its_target(c, *unit.texture)) {
-      c.note_slow(Slow::kSamplesTarget);
-      c.finish_frame();  // the draw samples what the level holds now
-      c.dirty |= kDirtyFragment;
-    }
-  }
-}
-
-void update_state(Context& c) {
-  update_targets(c);
-  notice_changed_textures(c);
-  if (c.dirty & kDirtyVertex) derive_vertex(c);
-  if (c.dirty & kDirtyRaster) derive_raster(c);
-  if (c.dirty & kDirtyFragment) derive_fragment(c);
-  c.dirty = 0;
-}
-
 // What the draw reads when the frame is executed.
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
-  note_drawn_texture(c);
-  for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
-  }
+  note_texture_uses(c);
   const ArraysState& a = c.state.arrays;
   auto note = [&c](const ArrayState& array) {
     if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
@@ -141,7 +154,7 @@ uint32_t unorm8(float value) { return static_cast<uint32_t>(std::nearbyint(value
 
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (count == 0) return;
-  update_state(c);
+  update_draw_state(c);
   pipeline::DrawCommand command;
   command.first = static_cast<uint32_t>(first);
   command.count = static_cast<uint32_t>(count);
@@ -150,7 +163,7 @@ void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
 
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (count == 0) return;
-  update_state(c);
+  update_draw_state(c);
   pipeline::DrawCommand command;
   command.count = static_cast<uint32_t>(count);
   command.index_type = type == GL_UNSIGNED_BYTE    ? pipeline::IndexType::kUnsignedByte
