@@ -18,11 +18,12 @@ size_t tile_count(int width, int height) {
   return columns * rows;
 }
 
-UniformTiles no_uniform_tiles(size_t count) {
-  UniformTiles tiles;
-  tiles.is_uniform.resize(count);
-  tiles.value.resize(count);
-  return tiles;
+UniformTiles stored_tiles(size_t count) {
+  return {std::vector<uint8_t>(count), std::vector<uint32_t>(count)};
+}
+
+UniformTiles uniform_tiles(size_t count, uint32_t value) {
+  return {std::vector<uint8_t>(count, 1), std::vector<uint32_t>(count, value)};
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   buffer->height = height;
   buffer->has_alpha = has_alpha;
   const size_t tiles = tile_count(width, height);
-  buffer->uniform = std::make_shared<UniformTiles>(no_uniform_tiles(tiles));
+  buffer->uniform = std::make_shared<UniformTiles>(stored_tiles(tiles));
   const size_t count = static_cast<size_t>(width) * height;
   buffer->pixels = std::make_shared<uint32_t[]>(count);
   if (!has_alpha) {
@@ -43,10 +44,7 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   if (samples > 1) {
     buffer->samples = std::make_shared<SampleBuffer>();
     buffer->samples->values = std::make_unique_for_overwrite<uint32_t[]>(samples * count);
-    UniformTiles& uniform = buffer->samples->uniform;
-    uniform = no_uniform_tiles(samples * tiles);
-    std::fill(uniform.is_uniform.begin(), uniform.is_uniform.end(), uint8_t{1});
-    std::fill(uniform.value.begin(), uniform.value.end(), has_alpha ? 0 : 0xff000000u);
+    buffer->samples->uniform = uniform_tiles(samples * tiles, has_alpha ? 0 : 0xff000000u);
   }
   return buffer;
 } catch (const std::bad_alloc&) {
@@ -62,8 +60,9 @@ std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int hei
   buffer->has_depth = has_depth;
   buffer->has_stencil = has_stencil;
   buffer->uniform =
-      std::make_shared<UniformTiles>(no_uniform_tiles(samples * tile_count(width, height)));
-  buffer->values = std::make_shared<uint32_t[]>(static_cast<size_t>(width) * height * samples);
+      std::make_shared<UniformTiles>(uniform_tiles(samples * tile_count(width, height), 0));
+  buffer->values =
+      std::make_shared_for_overwrite<uint32_t[]>(static_cast<size_t>(width) * height * samples);
   return buffer;
 } catch (const std::bad_alloc&) {
   return nullptr;
