@@ -10,6 +10,7 @@ namespace clearpipe::api::exec {
 // exec_state.cpp
 GLenum get_error(Context&);
 void finish_all(Context&);
+void flush_all(Context&);
 void hint(Context&, GLenum target, GLenum mode);
 void enable(Context&, GLenum cap, bool value);
 void color(Context&, float r, float g, float b, float a);
@@ -129,6 +130,8 @@ void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void
 void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
 void multi_draw_elements(Context&, GLenum mode, const GLsizei* count, GLenum type,
                          const void* const* indices, GLsizei n);
+// draw_texture.cpp
+void draw_texture(Context&, float x, float y, float z, float width, float height);
 // exec_debug.cpp
 void debug_message_control(Context&, GLenum source, GLenum type, GLenum severity, GLsizei count,
                            const GLuint* ids, GLboolean enabled);

@@ -8,13 +8,13 @@
 
 #include <cstdint>
 
+#include "pipeline/fragment/program.h"
 #include "pipeline/raster/samples.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::pipeline {
 
 inline constexpr int kBatchSize = 128;
-inline constexpr int16_t kColourOne = 1 << 13;
 
 // An 8-bit colour component as the nearest fixed-point value.
 constexpr int16_t colour_from_unorm8(int v) {

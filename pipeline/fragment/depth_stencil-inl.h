@@ -33,12 +33,11 @@ inline DepthState depth_state(const FragmentProgram& program) {
   return {program.depth_test, program.depth_write, program.depth_func};
 }
 
-// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1).
+// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1). NaN becomes 0, as Max takes
+// its second parameter then.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, V z) {
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  z = hn::IfThenElse(hn::Gt(z, zero), z, zero);
-  z = hn::IfThenElse(hn::Lt(z, one), z, one);
+  z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
   return hn::NearestInt(hn::Mul(z, hn::Set(d, 16777215.0f)));
 }
 

@@ -14,6 +14,9 @@
 
 namespace clearpipe::pipeline {
 
+// 1.0 in the fixed point of the fragment stages' colours (fragment/colour-inl.h).
+inline constexpr int16_t kColourOne = 1 << 13;
+
 // A linear function of window position (3.5.1): value + dx * (x - x_ref) + dy * (y - y_ref), where
 // (x_ref, y_ref) belongs to the primitive. Evaluated exactly in this order, so that the result
 // depends on the pixel alone: (value + dy * (y - y_ref)) + dx * (x - x_ref).
@@ -52,7 +55,7 @@ struct PrimitivePlanes {
   Plane depth;                 // window z, [0,1], polygon offset added (clamped per fragment)
   Plane inv_w;
   Plane fog;                           // fog coordinate
-  Plane colour[4];                     // r, g, b, a
+  Plane colour[4];                     // r, g, b, a, in units of 1 / kColourOne
   Plane texture[kMaxTextureUnits][4];  // s, t, r, q; set for enabled units
 };
 
