@@ -9,6 +9,7 @@
 #include <memory>
 #include <random>
 
+#include "pipeline/fragment/own_tile.h"
 #include "pipeline/fragment/program.h"
 
 namespace clearpipe::pipeline {
@@ -107,7 +108,7 @@ class CubeTest : public testing::Test {
   FragmentState state_;
   PrimitivePlanes planes_;
   Coverage coverage_{};
-  std::unique_ptr<Tile> tile_ = std::make_unique<Tile>();
+  std::unique_ptr<OwnTile> tile_ = std::make_unique<OwnTile>();
 };
 
 // Every texel says its face and place.
