@@ -49,7 +49,7 @@ class ErrorTest : public CallTest {
   static std::vector<GLfloat> snapshot() {
     std::vector<GLfloat> all;
     const auto add = [&all](size_t count, const auto& get) {
-      GLfloat values[16] = {};
+      GLfloat values[20] = {};
       get(values);
       all.insert(all.end(), values, values + count);
     };

@@ -31,7 +31,7 @@ GLfixed as_fixed(Kind kind, double value) {
 
 // What the four queries write for `v`, and that they write nothing behind it.
 void expect_value(const InitialValue& v) {
-  constexpr size_t kMost = 17;
+  constexpr size_t kMost = 20;
   GLboolean booleans[kMost];
   GLint integers[kMost], fixed[kMost];
   GLfloat floats[kMost];

@@ -43,15 +43,27 @@ Invalid palette_image(GLenum target, const Palette& palette, GLint level, GLsize
   return image_data(expected, size, data).from(6);
 }
 
-bool is_allowed(ImageSizes sizes, GLsizei size) {
-  return sizes == ImageSizes::kAll || size == 1 || size == 2 || size % 4 == 0;
+Invalid allowed_size(const CompressedFamily& family, GLsizei width, GLsizei height) {
+  const auto both = [&](const auto& good) { return good(width) && good(height); };
+  switch (family.sizes) {
+    case CompressedFamily::Sizes::kOneTwoOrBlocks:
+      return operation_unless(
+          both([](GLsizei size) { return size == 1 || size == 2 || size % 4 == 0; }),
+          "{3} or {4} is neither 1 nor 2 nor a multiple of 4 (the extension of {2})");
+    case CompressedFamily::Sizes::kPowersOfTwo:
+      return value_unless(both([](GLsizei size) { return (size & (size - 1)) == 0; }),
+                          "{3} or {4} is no power of two (the extension of {2})");
+    default:
+      return {};
+  }
 }
 
 // One axis of a part: where it begins and how long it is, of an image that long.
-bool is_allowed(ImageParts parts, GLint offset, GLsizei length, GLsizei whole) {
+bool is_allowed(CompressedFamily::Parts parts, GLint offset, GLsizei length, GLsizei whole) {
+  if (parts == CompressedFamily::Parts::kNone) return length == whole;
   if (offset % 4 != 0) return false;
-  const GLsizei end = parts == ImageParts::kBlocksToTheEdge ? offset + length : length;
-  return length % 4 == 0 || end == whole;
+  const bool to_the_edge = parts == CompressedFamily::Parts::kBlocksToTheEdge;
+  return length % 4 == 0 || (to_the_edge ? offset + length : length) == whole;
 }
 
 Invalid block_data(const CompressedFormat& format, GLsizei width, GLsizei height, GLsizei size,
@@ -71,15 +83,13 @@ Invalid compressed_tex_image(const Context&, GLenum target, GLint level, GLenum 
     return palette_image(target, palette, level, width, height, border, size, data);
   }
   if (!format) return kNoFormat.from(2);
+  const CompressedFamily& family = format->family;
   if (border != 0) {
-    return {GL_INVALID_OPERATION, "{5} is not zero (3.7.3, and the extension of {2})"};
+    return {family.border_error, "{5} is not zero (3.7.3, and the extension of {2})"};
   }
   if (const Invalid wrong = image_level(level)) return wrong;
   if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(3);
-  if (!is_allowed(format->sizes, width) || !is_allowed(format->sizes, height)) {
-    return {GL_INVALID_OPERATION,
-            "{3} or {4} is neither 1 nor 2 nor a multiple of 4 (the extension of {2})"};
-  }
+  if (const Invalid wrong = allowed_size(family, width, height)) return wrong;
   return block_data(*format, width, height, size, data).from(6);
 }
 
@@ -98,12 +108,12 @@ Invalid compressed_tex_sub_image(const Context& c, GLenum target, GLint level, G
     return {GL_INVALID_OPERATION, "{6} is not the internal format of the texture (3.7.3)"};
   }
   if (const Invalid wrong = rectangle_in_level(to, x, y, width, height, 4)) return wrong;
-  if (!is_allowed(format->parts, x, width, to.width) ||
-      !is_allowed(format->parts, y, height, to.height)) {
+  if (!is_allowed(format->family.parts, x, width, to.width) ||
+      !is_allowed(format->family.parts, y, height, to.height)) {
     return {
         GL_INVALID_OPERATION,
-        "the rectangle at {2}, {3} is not made of whole blocks of 4x4 (3.7.3, and the extension "
-        "of {6})"};
+        "the rectangle at {2}, {3} is not made of whole blocks, or not the whole image (3.7.3, and "
+        "the extension of {6})"};
   }
   return block_data(*format, width, height, size, data).from(7);
 }
