@@ -76,6 +76,7 @@ namespace sampling {
 HWY_EXPORT(choose_sample);
 
 static SampleFunction dispatch(const SampleState& state) {
+  select_simd_target();
   return HWY_DYNAMIC_DISPATCH(choose_sample)(state);
 }
 

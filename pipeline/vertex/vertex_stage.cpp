@@ -125,7 +125,10 @@ const VertexKernels& current_vertex_kernels() {
 }
 
 void run_vertex_stages(const VertexJob& job) {
-  static const VertexKernels& resolved = current_vertex_kernels();
+  static const VertexKernels& resolved = []() -> const VertexKernels& {
+    select_simd_target();
+    return current_vertex_kernels();
+  }();
   resolved.run(job, make_vertex_plan(*job.draw, *job.state));
 }
 
