@@ -105,6 +105,10 @@ void compressed_tex_image(Context&, GLenum target, GLint level, GLenum internal,
 void compressed_tex_sub_image(Context&, GLenum target, GLint level, GLint, GLint, GLsizei, GLsizei,
                               GLenum format, GLsizei size, const void* data);
 void generate_mipmap(Context&, GLenum target);
+// texture_storage.cpp
+void tex_storage(Context&, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
+                 GLsizei height);
+void copy_texture_levels(Context&, GLuint destination, GLuint source, GLint base, GLsizei count);
 // exec_framebuffer.cpp
 GLboolean is_renderbuffer(Context&, GLuint name);
 void bind_renderbuffer(Context&, GLenum target, GLuint name);

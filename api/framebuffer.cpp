@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include "api/framebuffer.h"
 
+#include "api/pixel_format.h"
+
 namespace clearpipe::api {
 
 namespace {
@@ -23,9 +25,9 @@ AttachedImage image_of(const Attachment& a) {
     image.stencil = r.depth_stencil && r.depth_stencil->has_stencil;
   } else if (a.texture) {
     const TextureLevel& level = a.texture->level[a.image];
-    // RGB and RGBA are colour-renderable; compressed images are not.
+    // RGB and RGBA of any size are colour-renderable; compressed images are not.
     const bool colour =
-        level.internal == level.format && (level.format == GL_RGB || level.format == GL_RGBA);
+        base_format(level.internal) != 0 && (level.format == GL_RGB || level.format == GL_RGBA);
     image = {true, level.width, level.height, colour, false, false};
   }
   return image;

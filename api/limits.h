@@ -15,6 +15,12 @@ inline constexpr int kTextureStackDepth = 10;
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kMaxCubeMapSize = 16384;
 inline constexpr int kTextureLevels = pipeline::kMaxLevels;
+// The levels of a mipmap whose base level has that longer side.
+constexpr int longest_mipmap(int size) {
+  int levels = 1;
+  for (; size > 1; size /= 2) ++levels;
+  return levels;
+}
 inline constexpr int kMaxRenderbufferSize = 16384;
 inline constexpr float kMaxTextureLodBias = 15;
 inline constexpr float kMaxAnisotropy = 16;

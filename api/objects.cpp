@@ -56,12 +56,14 @@ bool is_complete(const TextureObject& texture) {
   return cube ? std::all_of(kFaces.begin(), kFaces.end(), has_mipmap) : has_mipmap(0);
 }
 
-// q = min(p, level_max), where level p is 1x1 (APPLE_texture_max_level).
 int last_mipmap_level(const TextureObject& texture) {
-  int p = 0;
-  for (int size = std::max(texture.level[0].width, texture.level[0].height); size > 1; size /= 2) {
-    ++p;
-  }
+  return last_mipmap_level(texture, std::max(texture.level[0].width, texture.level[0].height));
+}
+
+// q = min(p, level_max) (APPLE_texture_max_level), where level p is 1x1, or the last that an
+// immutable texture has.
+int last_mipmap_level(const TextureObject& texture, int size) {
+  const int p = texture.storage_levels > 0 ? texture.storage_levels - 1 : longest_mipmap(size) - 1;
   return std::min(p, texture.max_level);
 }
 

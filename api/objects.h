@@ -57,7 +57,8 @@ struct TextureLevel {
 struct TextureObject {
   explicit TextureObject(GLuint n, GLenum t = 0) : name(n), target(t) {}
   const GLuint name;
-  GLenum target;  // that it was first bound to (3.7.11); 0: to none
+  GLenum target;           // that it was first bound to (3.7.11); 0: to none
+  int storage_levels = 0;  // EXT_texture_storage: so many levels, immutable; 0: not immutable
   // Grows with every change but that of texels alone. Contexts that have the texture bound compare
   // it with what they derived from.
   uint64_t version = 1;
@@ -154,7 +155,9 @@ bool is_complete(const TextureObject& texture);
 bool is_cube_complete(const TextureObject& texture);
 bool is_mipmap_filter(GLenum min_filter);
 
-// The last level that a mipmap of it has: q (3.7.7).
+// The last level that a mipmap of it has: q (3.7.7), for the base level at hand or one whose longer
+// side is `size`.
 int last_mipmap_level(const TextureObject& texture);
+int last_mipmap_level(const TextureObject& texture, int size);
 
 }  // namespace clearpipe::api

@@ -54,9 +54,9 @@ pipeline::ImageLevel reduced(const pipeline::ImageLevel& from) {
 
 }  // namespace
 
-pipeline::ImageLevel make_level(int width, int height) {
-  return {width, height,
-          std::vector<uint32_t>(static_cast<size_t>(width) * static_cast<size_t>(height))};
+pipeline::ImageLevel make_level(int width, int height, GLenum format) {
+  const size_t texels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  return {width, height, std::vector<uint32_t>(texels, components_of(0, format))};
 }
 
 void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
@@ -81,11 +81,13 @@ void install_levels(Context& c, TextureObject& texture, size_t first, Levels lev
   ++texture.version;
 }
 
-void add_mipmaps(Levels& levels) {
-  if (levels[0].width == 0 || levels[0].height == 0) return;
-  while (levels.back().width > 1 || levels.back().height > 1) {
-    levels.push_back(reduced(levels.back()));
-  }
+int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base) {
+  if (base.width == 0 || base.height == 0) return 0;
+  return last_mipmap_level(texture, std::max(base.width, base.height));
+}
+
+void add_mipmaps(Levels& levels, int last) {
+  for (int i = 0; i < last; ++i) levels.push_back(reduced(levels.back()));
 }
 
 // Automatic generation is not performed from compressed images.
@@ -97,7 +99,9 @@ void replace_level(Context& c, TextureObject& texture, size_t image, pipeline::I
                    GLenum internal, GLenum format) {
   Levels levels;
   levels.push_back(std::move(to));
-  if (generates_mipmap(texture, image, internal)) add_mipmaps(levels);
+  if (generates_mipmap(texture, image, internal)) {
+    add_mipmaps(levels, last_generated_level(texture, levels[0]));
+  }
   install_levels(c, texture, image, std::move(levels), internal, format);
 }
 

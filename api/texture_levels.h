@@ -15,15 +15,19 @@ namespace clearpipe::api {
 
 using Levels = std::vector<pipeline::ImageLevel>;
 
-// A level with texels of zero.
-pipeline::ImageLevel make_level(int width, int height);
+// A level with texels of zero, and of one where the base format has no alpha.
+pipeline::ImageLevel make_level(int width, int height, GLenum format = GL_RGBA);
+
+// What generated levels are derived up to: q, for a base level of that size (3.7.7).
+int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base);
 
 // Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
 void install_levels(Context& context, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format);
 
-// Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
-void add_mipmaps(Levels& levels);
+// Appends the levels that follow from the base level, which is there, up to a last one (3.7.7,
+// automatic mipmap generation).
+void add_mipmaps(Levels& levels, int last);
 
 // Replaces one image (texture_target.h), and those that follow from it.
 void replace_level(Context& context, TextureObject& texture, size_t image, pipeline::ImageLevel to,

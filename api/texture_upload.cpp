@@ -23,23 +23,6 @@ void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenu
   }
 }
 
-// What of a surface's colour a base format keeps (table 3.9): luminance is the red component.
-uint32_t reduce(uint32_t colour, GLenum format) {
-  const uint32_t r = colour & 255, a = colour >> 24;
-  switch (format) {
-    case GL_RGBA:
-      return colour;
-    case GL_RGB:
-      return colour | 0xff000000u;
-    case GL_LUMINANCE_ALPHA:
-      return rgba(r, r, r, a);
-    case GL_LUMINANCE:
-      return rgba(r, r, r, 255);
-    default:
-      return rgba(0, 0, 0, a);
-  }
-}
-
 void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
                        int yoffset, int x, int y, int width, int height) {
   // Pixels outside of the surface are undefined: they leave the texel as it is.
@@ -53,7 +36,8 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
     uint32_t* out = to.texels.data() + (yoffset + row - y) * to.width + xoffset + (x0 - x);
     const int count = static_cast<int>(x1 - x0);
     pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, out);
-    std::transform(out, out + count, out, [format](uint32_t p) { return reduce(p, format); });
+    std::transform(out, out + count, out,
+                   [format](uint32_t p) { return components_of(p, format); });
   }
 }
 
@@ -61,13 +45,11 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
 
 void tex_image(Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
                GLsizei height, GLint, GLenum format, GLenum type, const void* pixels) {
-  pipeline::ImageLevel to = make_level(width, height);
+  const GLenum held = static_cast<GLenum>(internal);
+  pipeline::ImageLevel to = make_level(width, height, base_format(held));
   if (pixels) {
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  } else if (const uint32_t nothing = reduce(0, base_format(static_cast<GLenum>(internal)))) {
-    std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
-  const GLenum held = static_cast<GLenum>(internal);
   replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), held,
                 base_format(held));
 }
@@ -85,8 +67,7 @@ void copy_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLi
                     GLsizei width, GLsizei height, GLint) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
-  pipeline::ImageLevel to = make_level(width, height);
-  std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
+  pipeline::ImageLevel to = make_level(width, height, base_format(internal));
   copy_from_surface(c, to, base_format(internal), 0, 0, x, y, width, height);
   replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), internal,
                 base_format(internal));
@@ -115,7 +96,7 @@ void generate_mipmap(Context& c, GLenum target) {
   std::vector<Levels> mipmaps(count);
   for (size_t face = 0; face < count; ++face) {
     mipmaps[face].push_back(texture.image->levels[face * kTextureLevels]);
-    add_mipmaps(mipmaps[face]);
+    add_mipmaps(mipmaps[face], last_generated_level(texture, mipmaps[face][0]));
     mipmaps[face].erase(mipmaps[face].begin());
   }
   if (mipmaps[0].empty()) return;

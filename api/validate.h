@@ -124,6 +124,11 @@ Invalid get_framebuffer_attachment_parameter(const Context&, GLenum target, GLen
                                              GLenum pname, const GLint*);
 Invalid discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);
 Invalid generate_mipmap(const Context&, GLenum target);
+// validate_storage.cpp
+Invalid tex_storage(const Context&, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
+                    GLsizei height);
+Invalid copy_texture_levels(const Context&, GLuint destination, GLuint source, GLint base,
+                            GLsizei count);
 Invalid multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const GLsizei* count,
                           GLsizei n);
 Invalid multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,

@@ -43,21 +43,6 @@ Invalid palette_image(GLenum target, const Palette& palette, GLint level, GLsize
   return image_data(expected, size, data).from(6);
 }
 
-Invalid allowed_size(const CompressedFamily& family, GLsizei width, GLsizei height) {
-  const auto both = [&](const auto& good) { return good(width) && good(height); };
-  switch (family.sizes) {
-    case CompressedFamily::Sizes::kOneTwoOrBlocks:
-      return operation_unless(
-          both([](GLsizei size) { return size == 1 || size == 2 || size % 4 == 0; }),
-          "{3} or {4} is neither 1 nor 2 nor a multiple of 4 (the extension of {2})");
-    case CompressedFamily::Sizes::kPowersOfTwo:
-      return value_unless(both([](GLsizei size) { return (size & (size - 1)) == 0; }),
-                          "{3} or {4} is no power of two (the extension of {2})");
-    default:
-      return {};
-  }
-}
-
 // One axis of a part: where it begins and how long it is, of an image that long.
 bool is_allowed(CompressedFamily::Parts parts, GLint offset, GLsizei length, GLsizei whole) {
   if (parts == CompressedFamily::Parts::kNone) return length == whole;
@@ -73,14 +58,30 @@ Invalid block_data(const CompressedFormat& format, GLsizei width, GLsizei height
 
 }  // namespace
 
-Invalid compressed_tex_image(const Context&, GLenum target, GLint level, GLenum internal,
+Invalid compressed_size(const CompressedFamily& family, GLsizei width, GLsizei height) {
+  const auto both = [&](const auto& good) { return good(width) && good(height); };
+  switch (family.sizes) {
+    case CompressedFamily::Sizes::kOneTwoOrBlocks:
+      return operation_unless(
+          both([](GLsizei size) { return size == 1 || size == 2 || size % 4 == 0; }),
+          "{3} or {4} is neither 1 nor 2 nor a multiple of 4 (the extension of {2})");
+    case CompressedFamily::Sizes::kPowersOfTwo:
+      return value_unless(both([](GLsizei size) { return (size & (size - 1)) == 0; }),
+                          "{3} or {4} is no power of two (the extension of {2})");
+    default:
+      return {};
+  }
+}
+
+Invalid compressed_tex_image(const Context& c, GLenum target, GLint level, GLenum internal,
                              GLsizei width, GLsizei height, GLint border, GLsizei size,
                              const void* data) {
   if (const Invalid wrong = image_target(target)) return wrong;
   const Palette palette = palette_of(internal);
   const CompressedFormat* format = compressed_format(internal);
   if (palette.index_bits != 0) {
-    return palette_image(target, palette, level, width, height, border, size, data);
+    const Invalid wrong = palette_image(target, palette, level, width, height, border, size, data);
+    return wrong ? wrong : mutable_texture(*bound_texture(c, target));
   }
   if (!format) return kNoFormat.from(2);
   const CompressedFamily& family = format->family;
@@ -89,8 +90,9 @@ Invalid compressed_tex_image(const Context&, GLenum target, GLint level, GLenum 
   }
   if (const Invalid wrong = image_level(level)) return wrong;
   if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(3);
-  if (const Invalid wrong = allowed_size(family, width, height)) return wrong;
-  return block_data(*format, width, height, size, data).from(6);
+  if (const Invalid wrong = compressed_size(family, width, height)) return wrong;
+  if (const Invalid wrong = block_data(*format, width, height, size, data)) return wrong.from(6);
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid compressed_tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y,

@@ -71,6 +71,11 @@ const TextureLevel& image_of(const Context& c, GLenum target, GLint level) {
   return bound_texture(c, target)->level[image_index(target, level)];
 }
 
+Invalid mutable_texture(const TextureObject& texture) {
+  return operation_unless(texture.storage_levels == 0,
+                          "the levels of the texture of {0} are immutable (EXT_texture_storage)");
+}
+
 Invalid image_level(GLint level) {
   return value_unless(level >= 0 && level < kTextureLevels,
                       "{1} is not in [0, log2(MAX_TEXTURE_SIZE)] (3.7.1)");
@@ -101,7 +106,7 @@ Invalid rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei 
                       "the rectangle at {2}, {3} reaches out of the level of the texture (3.7.2)");
 }
 
-Invalid tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
+Invalid tex_image(const Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
                   GLsizei height, GLint border, GLenum format, GLenum type, const void*) {
   if (const Invalid wrong = image_target(target)) return wrong;
   const GLenum held = static_cast<GLenum>(internal);
@@ -113,7 +118,8 @@ Invalid tex_image(const Context&, GLenum target, GLint level, GLint internal, GL
   if (const Invalid wrong = image_level(level)) return wrong;
   if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(3);
   if (const Invalid wrong = image_border(border)) return wrong.from(3);
-  return pixels_for(held, format, type).from(6);
+  if (const Invalid wrong = pixels_for(held, format, type)) return wrong.from(6);
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
@@ -136,7 +142,8 @@ Invalid copy_tex_image(const Context& c, GLenum target, GLint level, GLenum inte
   if (const Invalid wrong = image_level(level)) return wrong;
   if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(5);
   if (const Invalid wrong = image_border(border)) return wrong.from(5);
-  return copied_format(c, base_format(internal));
+  if (const Invalid wrong = copied_format(c, base_format(internal))) return wrong;
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid copy_tex_sub_image(const Context& c, GLenum target, GLint level, GLint xoffset,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "api/compressed_format.h"
 #include "api/texture_target.h"
 #include "api/validate.h"
 
@@ -12,6 +13,9 @@ Invalid image_target(GLenum target);
 
 // The image of the bound texture; the level must be one.
 const TextureLevel& image_of(const Context&, GLenum target, GLint level);
+
+// The texture's images may be replaced (EXT_texture_storage); its target is the first argument.
+Invalid mutable_texture(const TextureObject& texture);
 
 // The level of an image, the second argument (3.7.1).
 Invalid image_level(GLint level);
@@ -25,5 +29,9 @@ Invalid image_border(GLint border);
 // stand together at another place.
 Invalid rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei width,
                            GLsizei height, int size_at);
+
+// Whether compressed images of that family may have that size: width and height are the fourth and
+// fifth argument, the format is the third.
+Invalid compressed_size(const CompressedFamily& family, GLsizei width, GLsizei height);
 
 }  // namespace clearpipe::api::validate
