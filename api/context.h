@@ -36,6 +36,16 @@ void finish(Context* context) noexcept;
 void set_targets(Context* context, const pipeline::Target& draw,
                  const pipeline::Target& read) noexcept;
 
+// EGLImages (3.9 of EGL 1.5): a level of a texture or a renderbuffer of the context's share group
+// is shared under a handle, which OES_EGL_image takes in any context until it is destroyed. What
+// shares the image goes on sharing it after that. Finish the thread's own context before: its frame
+// may draw to the source.
+enum class ImageSource { kTexture2D, kRenderbuffer };
+enum class ImageError { kNone, kBadParameter, kBadMatch, kBadAccess, kBadAlloc };
+ImageError create_egl_image(Context* context, ImageSource source, unsigned name, int level,
+                            const void* handle) noexcept;
+void destroy_egl_image(const void* handle) noexcept;
+
 using Proc = void (*)();
 
 // The entry point of that name, or null.

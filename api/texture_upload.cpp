@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "api/egl_image.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
@@ -19,30 +20,42 @@ using Levels = std::vector<pipeline::ImageLevel>;
 // A level with texels of zero.
 pipeline::ImageLevel make_level(int width, int height) {
   return {width, height,
-          std::vector<uint32_t>(static_cast<size_t>(width) * static_cast<size_t>(height))};
+          pipeline::Texels(static_cast<size_t>(width) * static_cast<size_t>(height))};
 }
 
 // Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
+void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
+                GLenum format) {
+  const size_t end = first + levels.size();
+  const bool pending = is_pending(texture);
+  const auto image = pending ? copy_image(texture, first, end) : texture.image;
+  if (image->levels.size() < end) image->levels.resize(end);
+  texture.image = image;
+  if (pending) texture.uses.clear();
+  for (size_t i = 0; i < levels.size(); ++i) {
+    TextureLevel& level = texture.level[first + i];
+    level = {levels[i].width, levels[i].height, internal, format, level.sibling};
+    image->levels[first + i].width = levels[i].width;
+    image->levels[first + i].height = levels[i].height;
+    replace_texels(texture, first + i, std::move(levels[i].texels));
+  }
+  ++texture.version;
+}
+
+// As above, as images that an application specifies: the texture shares nothing any more.
 void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format) {
   finish_drawing_to(c, texture);
-  const size_t end = first + levels.size();
-  if (texture.uses.pending()) {
-    auto image = std::make_shared<pipeline::Image>();
-    image->levels.resize(std::max(end, texture.image->levels.size()));
-    for (size_t i = 0; i < texture.image->levels.size(); ++i) {
-      if (i < first || i >= end) image->levels[i] = texture.image->levels[i];
-    }
-    texture.image = std::move(image);
-    texture.uses.clear();
-  } else if (texture.image->levels.size() < end) {
-    texture.image->levels.resize(end);
-  }
-  for (size_t i = 0; i < levels.size(); ++i) {
-    texture.level[first + i] = {levels[i].width, levels[i].height, internal, format};
-    texture.image->levels[first + i] = std::move(levels[i]);
-  }
-  ++texture.version;
+  orphan(texture);
+  set_levels(texture, first, std::move(levels), internal, format);
+}
+
+// As above, as images that are generated: a mipmap that was complete keeps its structure, and so
+// what it shares (issues 4 and 5 of EGL_KHR_gl_image).
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels) {
+  if (!has_mipmap(texture)) orphan(texture);
+  const TextureLevel base = texture.level[0];
+  set_levels(texture, first, std::move(levels), base.internal, base.format);
 }
 
 void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenum format,
@@ -124,17 +137,22 @@ void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::Im
 template <typename Change>
 void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
   const size_t index = static_cast<size_t>(level);
+  refresh(texture);
   finish_drawing_to(c, texture);
   if (generates(texture, level)) {
-    pipeline::ImageLevel copy = texture.image->levels[index];
-    change(copy);
-    replace_level(c, texture, level, std::move(copy), texture.level[index].internal);
+    Levels levels;
+    levels.push_back(texture.image->levels[index]);
+    change(levels[0]);
+    add_mipmaps(levels);
+    regenerate_levels(texture, 0, std::move(levels));
     return;
   }
   size_t bytes = 0;
   for (const pipeline::ImageLevel& l : texture.image->levels) bytes += 4 * l.texels.size();
-  if (!may_write_in_place(c, texture.uses, bytes)) {
-    texture.image = std::make_shared<pipeline::Image>(*texture.image);
+  if (!may_write_in_place(c, texture, bytes)) {
+    pipeline::Texels copy = texture.image->levels[index].texels;
+    texture.image = copy_image(texture, index, index + 1);
+    replace_texels(texture, index, std::move(copy));
     texture.uses.clear();
     ++texture.version;
   }
@@ -220,14 +238,13 @@ void generate_mipmap(Context& c, GLenum) {
   TextureObject& texture = *c.active_unit().texture;
   const TextureLevel base = texture.level[0];
   if (base.width == 0 || base.height == 0) return;
+  refresh(texture);
   finish_drawing_to(c, texture);
   Levels levels;
   levels.push_back(texture.image->levels[0]);
   add_mipmaps(levels);
   levels.erase(levels.begin());
-  if (!levels.empty()) {
-    install_levels(c, texture, 1, std::move(levels), base.internal, base.format);
-  }
+  if (!levels.empty()) regenerate_levels(texture, 1, std::move(levels));
 }
 
 // Mipmaps are not generated from compressed images (3.7.7).

@@ -110,6 +110,9 @@ GLenum multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const 
                          GLsizei n);
 GLenum multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
                            const void* const* indices, GLsizei n);
+// egl_image.cpp
+GLenum egl_image_target_texture(const Context&, GLenum target, const void* image);
+GLenum egl_image_target_renderbuffer(const Context&, GLenum target, const void* image);
 // validate_debug.cpp
 GLenum debug_message_control(const Context&, GLenum source, GLenum type, GLenum severity,
                              GLsizei count, const GLuint* ids, GLboolean);

@@ -51,12 +51,22 @@ struct Context : Object {
   }
 };
 
+// An EGLImage: api/ has what is behind the handle.
+struct Image {
+  void* const handle;
+  explicit Image(void* image_handle) : handle(image_handle) {}
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+  ~Image() { api::destroy_egl_image(handle); }
+};
+
 struct Display {
   EGLenum platform;
   bool initialized = false;
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;
+  std::vector<std::unique_ptr<Image>> images;
 
   explicit Display(EGLenum display_platform) : platform(display_platform) {}
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
