@@ -28,6 +28,13 @@ pipeline::ImageLevel same_texels(const pipeline::ImageLevel& level) {
   return {level.width, level.height, {level.texels.memory(), level.texels.size()}};
 }
 
+void replace_memory(const EglImagePtr& sibling, const pipeline::Texels& texels) {
+  if (!sibling) return;
+  const ImageLock lock(sibling->mutex);
+  sibling->memory = texels.memory();
+  sibling->uses.clear();
+}
+
 // Whether someone else still shares the memory, or can come to.
 bool is_shared(const EglImagePtr& sibling) { return sibling && sibling.use_count() > 1; }
 
@@ -201,12 +208,17 @@ bool may_write_in_place(Context& c, const TextureObject& texture, size_t bytes) 
 }
 
 void replace_texels(TextureObject& texture, size_t level, pipeline::Texels texels) {
-  if (const EglImagePtr& sibling = texture.level[level].sibling) {
-    const ImageLock lock(sibling->mutex);
-    sibling->memory = texels.memory();
-    sibling->uses.clear();
-  }
+  replace_memory(texture.level[level].sibling, texels);
   texture.image->levels[level].texels = std::move(texels);
+}
+
+void replace_image(TextureObject& texture, std::shared_ptr<pipeline::Image> image) {
+  for (size_t i = 0; i < image->levels.size(); ++i) {
+    replace_memory(texture.level[i].sibling, image->levels[i].texels);
+  }
+  texture.image = std::move(image);
+  texture.uses.clear();
+  ++texture.version;
 }
 
 std::shared_ptr<pipeline::Image> copy_image(const TextureObject& texture, size_t first,
@@ -226,11 +238,11 @@ std::shared_ptr<pipeline::Image> copy_image(const TextureObject& texture, size_t
 
 void orphan(TextureObject& texture) {
   if (!texture.has_siblings) return;
-  texture.image = std::make_shared<pipeline::Image>(*texture.image);
-  texture.uses.clear();
-  ++texture.version;
+  refresh(texture);
+  auto image = std::make_shared<pipeline::Image>(*texture.image);
   for (TextureLevel& level : texture.level) level.sibling = nullptr;
   texture.has_siblings = false;
+  replace_image(texture, std::move(image));
 }
 
 namespace exec {

@@ -44,8 +44,10 @@ bool may_write_in_place(Context& context, const TextureObject& texture, size_t b
 // What pending frames use of the texture, through it or through siblings.
 bool is_pending(const TextureObject& texture);
 
-// Replaces the texels of a level by others of the same size; siblings will see them.
+// Replaces the texels of one level or of all by others of the same sizes, which no frame reads;
+// siblings will see them.
 void replace_texels(TextureObject& texture, size_t level, pipeline::Texels texels);
+void replace_image(TextureObject& texture, std::shared_ptr<pipeline::Image> image);
 
 // A copy of the texture's images, except for the texels of the levels from `first` to before `end`.
 // Levels that are siblings stay so.

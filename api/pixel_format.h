@@ -1,5 +1,4 @@
-// The pixel formats of table 3.4 and the compressed palettes of 3.7.4: sizes and conversion to the
-// RGBA8 texels images are made of.
+// The pixel formats of table 3.4: sizes and conversion to the RGBA8 texels images are made of.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -130,21 +129,6 @@ inline uint32_t pack_bgra(uint32_t pixel, GLenum type) {
     default:
       return (pixel & 0xff00ff00u) | (pixel >> 16 & 255) | (pixel & 255) << 16;
   }
-}
-
-struct Palette {
-  int index_bits = 0;  // 0: not a palette format
-  GLenum format = 0, type = 0;
-};
-
-inline Palette palette_of(GLenum internal) {
-  if (internal < GL_PALETTE4_RGB8_OES || internal > GL_PALETTE8_RGB5_A1_OES) return {};
-  const GLenum kind = (internal - GL_PALETTE4_RGB8_OES) % 5;
-  static constexpr GLenum kTypes[5] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT_5_6_5,
-                                       GL_UNSIGNED_SHORT_4_4_4_4, GL_UNSIGNED_SHORT_5_5_5_1};
-  const bool rgb = kind == 0 || kind == 2;
-  return {internal < GL_PALETTE8_RGB8_OES ? 4 : 8, static_cast<GLenum>(rgb ? GL_RGB : GL_RGBA),
-          kTypes[kind]};
 }
 
 }  // namespace clearpipe::api

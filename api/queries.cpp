@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 
+#include "api/compressed_format.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/validate.h"
@@ -27,6 +29,10 @@ void put_integer(const Out& out, std::initializer_list<GLint> values) {
   for (const GLint v : values) out.integer(i++, v);
 }
 void put_enumerant(const Out& out, std::initializer_list<GLenum> values) {
+  int i = 0;
+  for (const GLenum v : values) out.enumerant(i++, v);
+}
+void put_enumerants(const Out& out, std::span<const GLenum> values) {
   int i = 0;
   for (const GLenum v : values) out.enumerant(i++, v);
 }

@@ -5,9 +5,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Scalar code, SSE4, AVX2 and AVX-512 on x86; on other processors what Highway knows of them.
+// Scalar code, SSE4, AVX2 and AVX-512 on x86; on other processors what Highway knows of them. The
+// instructions that AVX3_DL has beyond AVX3 are none that pixels need.
 #define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS HWY_SSSE3
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 
 namespace clearpipe::pipeline {
 

@@ -99,7 +99,7 @@ std::vector<GLuint> indices_of(GLsizei count, GLenum type, const void* pointer) 
   std::vector<std::byte> storage;
   const std::byte* bytes =
       bytes_of(GL_ELEMENT_ARRAY_BUFFER, arrays.element_buffer, pointer, storage);
-  std::vector<GLuint> result(static_cast<size_t>(std::max(count, 0)));
+  std::vector<GLuint> result(static_cast<size_t>(count));
   for (size_t i = 0; i < result.size(); ++i) {
     GLuint index = 0;
     std::memcpy(&index, bytes + i * size_of(type), size_of(type));  // little endian, as Mesa's
@@ -167,26 +167,30 @@ void draw_sized_points(const std::vector<float>& sizes, const std::vector<GLuint
 }
 
 void draw_arrays(GLenum mode, GLint first, GLsizei count) {
-  const Converted converted(static_cast<size_t>(std::max(first + count, 0)));
+  if (first < 0 || count <= 0) {  // refused, or nothing to draw
+    desktop.DrawArrays(mode, first, count);
+    return;
+  }
+  const size_t end = static_cast<size_t>(first) + static_cast<size_t>(count);
+  const Converted converted(end);
   if (mode != GL_POINTS || !arrays.point_size.enabled) {
     desktop.DrawArrays(mode, first, count);
     return;
   }
-  std::vector<GLuint> vertices(static_cast<size_t>(std::max(count, 0)));
+  std::vector<GLuint> vertices(static_cast<size_t>(count));
   std::iota(vertices.begin(), vertices.end(), static_cast<GLuint>(first));
-  draw_sized_points(as_floats(arrays.point_size, static_cast<size_t>(std::max(first + count, 0))),
-                    vertices);
+  draw_sized_points(as_floats(arrays.point_size, end), vertices);
 }
 
 void draw_elements(GLenum mode, GLsizei count, GLenum type, const void* pointer) {
   const bool known = type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT;
-  if (!known || (!anything_to_convert() && !(mode == GL_POINTS && arrays.point_size.enabled))) {
+  if (!known || count <= 0 ||
+      (!anything_to_convert() && !(mode == GL_POINTS && arrays.point_size.enabled))) {
     desktop.DrawElements(mode, count, type, pointer);
     return;
   }
   const std::vector<GLuint> indices = indices_of(count, type, pointer);
-  const size_t vertices =
-      indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end()) + size_t{1};
+  const size_t vertices = *std::max_element(indices.begin(), indices.end()) + size_t{1};
   const Converted converted(vertices);
   if (mode != GL_POINTS || !arrays.point_size.enabled) {
     desktop.DrawElements(mode, count, type, pointer);

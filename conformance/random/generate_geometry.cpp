@@ -204,6 +204,8 @@ void draw_something(Generator& g) {
     const float scale = (g.perspective ? 8.0f : 148.0f) / 127.0f;
     to::Rotatef{g, g.uniform(-20, 20), 0, 0, 1};
     to::Scalef{g, scale * g.uniform(0.9f, 1.1f), scale * g.uniform(0.9f, 1.1f), scale};
+    // Normals grow as positions shrink, and a power of a long one is more than a float can hold.
+    to::Enable{g, GL_NORMALIZE};
   }
   set_positions(g, count, type, whole ? g.integer(2, 3) : g.integer(3, 4));
   set_attributes(g, count);

@@ -1,5 +1,6 @@
 // Whether a stream reads only memory that it has: vertex arrays and indices, from the client or
-// from buffer objects (2.8, 2.9). Shortened streams may not.
+// from buffer objects (2.8, 2.9). Shortened streams may not. Nor may they draw without vertices: of
+// that the reference's specification, OpenGL's, says something else.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -17,6 +18,9 @@ size_t size_of(GLenum type) {
          : type == GL_SHORT || type == GL_UNSIGNED_SHORT ? 2
                                                          : 4;
 }
+
+// Draws of other modes are refused.
+bool is_mode(GLenum mode) { return mode <= GL_TRIANGLE_FAN; }
 
 struct Array {
   bool enabled = false, set = false;
@@ -70,8 +74,8 @@ class Memory {
   }
 
   bool covers_all(size_t vertices) const {
-    return covers(vertex_, vertices) && covers(colour_, vertices) && covers(normal_, vertices) &&
-           covers(point_size_, vertices) &&
+    return vertex_.enabled && covers(vertex_, vertices) && covers(colour_, vertices) &&
+           covers(normal_, vertices) && covers(point_size_, vertices) &&
            std::all_of(tex_coord_.begin(), tex_coord_.end(),
                        [&](const Array& array) { return covers(array, vertices); });
   }
@@ -89,7 +93,8 @@ class Memory {
 bool Memory::draw_elements(const Command& command) {
   const GLsizei count = static_cast<GLsizei>(command.arguments[1]);
   const GLenum type = command.arguments[2];
-  if (count <= 0 || (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT)) return true;
+  if (!is_mode(command.arguments[0]) || count <= 0) return true;
+  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT) return true;
   if (command.data.empty() != (element_buffer_ != 0)) return false;
   const std::vector<uint8_t>& bytes =
       element_buffer_ != 0 ? contents_[element_buffer_] : command.data;
@@ -136,7 +141,7 @@ bool Memory::take(const Command& command) {
     }
     case Call::DrawArrays: {
       const GLint first = static_cast<GLint>(a[1]), count = static_cast<GLint>(a[2]);
-      return count <= 0 || covers_all(static_cast<size_t>(first + count));
+      return !is_mode(a[0]) || count <= 0 || covers_all(static_cast<size_t>(first + count));
     }
     case Call::DrawElements:
       return draw_elements(command);

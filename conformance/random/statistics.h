@@ -18,6 +18,9 @@ class Statistics {
   // One line a group that had seeds, and one for all seeds.
   void print() const;
 
+  // The share of all pixels that is within 1/255; 1 when there were none.
+  double within_1() const { return all_.seeds == 0 ? 1 : all_.within_1 / all_.seeds; }
+
  private:
   struct Line {
     int seeds = 0;

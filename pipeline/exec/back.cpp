@@ -68,6 +68,7 @@ void run_back(const std::vector<DrawRecord>& draws,
               const Target& target, const TileGrid& grid, int tile_index, Tile& tile) {
   tile.x = tile_index % grid.columns * kTileWidth;
   tile.y = tile_index / grid.columns * kTileHeight;
+  tile.mirror_height = target.mirrored ? target.height : 0;
   TilePlanes planes(target, tile, tile_index);
   Coverage coverage;
   for (size_t i = first_visible(packets, packet_count, target, tile); i < packet_count; ++i) {

@@ -62,7 +62,7 @@ void sample_texture(const StageContext& context, FragmentBatch& batch, int unit)
   const Plane* planes = context.planes.texture[unit];
   texture_coordinates(planes, batch);
   if (u.sample.needs_lod) {
-    level_of_detail(context.planes, planes, u.sample, context.tile.x, context.tile.y, batch);
+    level_of_detail(context.planes, planes, u.sample, context.tile, batch);
   }
   u.sample_function(u.sample, batch, unit);
 }

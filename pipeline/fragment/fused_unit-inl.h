@@ -142,7 +142,7 @@ class FusedUnit {
       for (int i = 0; i < batch_.count; ++i) {
         batch_.offset[i] = static_cast<uint16_t>(row_ * kTileWidth + column + i);
       }
-      level_of_detail(planes_, planes_.texture[index_], unit_.sample, tile_.x, tile_.y, batch_);
+      level_of_detail(planes_, planes_.texture[index_], unit_.sample, tile_, batch_);
     }
     unit_.sample_function(unit_.sample, batch_, index_);
     const TagI di;

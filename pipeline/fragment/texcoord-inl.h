@@ -1,6 +1,9 @@
 // Texture coordinates of a unit (3.7.7): the projective division, and the level of detail from the
 // fragment's 2x2 quad.
 //
+// Quads are counted from the surface's first row, which window-system surfaces have at the top:
+// there the quad's corner is its upper row, and the second row lies below it.
+//
 // The planes are already divided by w_clip, so s = S / Q needs no w. The derivative of a coordinate
 // is its difference between neighbours of the quad that the fragment belongs to. rho is the longer
 // of the two derivative vectors (equation 3.19), and its logarithm is the reference's, which is
@@ -57,11 +60,16 @@ HWY_INLINE V probe_count(D d, V longer_squared, V shorter_squared, V most) {
   return hn::Max(hn::Min(probes, hn::Floor(most)), one);
 }
 
-// The level of detail into batch.lod, and what anisotropic filtering needs. (tile_x, tile_y) is the
-// tile's first pixel.
+// The corner's row of the quad that has the row y of the window.
+inline int quad_row(const Tile& tile, int y) {
+  if (tile.mirror_height == 0) return y & ~1;
+  const int last = tile.mirror_height - 1;
+  return last - ((last - y) & ~1);
+}
+
+// The level of detail into batch.lod, and what anisotropic filtering needs.
 inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* planes,
-                            const SampleState& sample, int tile_x, int tile_y,
-                            FragmentBatch& batch) {
+                            const SampleState& sample, const Tile& tile, FragmentBatch& batch) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   using V = hn::Vec<decltype(d)>;
@@ -71,18 +79,19 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
   const V one = hn::Set(d, 1.0f);
   alignas(64) int32_t column[kBatchSize], row[kBatchSize];
   for (int i = 0; i < batch.count; ++i) {
-    column[i] = tile_x + (batch.offset[i] % kTileWidth & ~1);
-    row[i] = tile_y + (batch.offset[i] / kTileWidth & ~1);
+    column[i] = tile.x + (batch.offset[i] % kTileWidth & ~1);
+    row[i] = quad_row(tile, tile.y + batch.offset[i] / kTileWidth);
   }
   const V to_x = hn::Set(d, 0.5f - primitive.x_ref);
   const V to_y = hn::Set(d, 0.5f - primitive.y_ref);
+  const V next_row = hn::Set(d, tile.mirror_height == 0 ? 1.0f : -1.0f);
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V x = hn::Add(hn::ConvertTo(d, hn::Load(di, column + i)), to_x);
     const V y = hn::Add(hn::ConvertTo(d, hn::Load(di, row + i)), to_y);
     V s0, t0, s1, t1, s2, t2;
     coordinate_at(d, planes, x, y, s0, t0);
     coordinate_at(d, planes, hn::Add(x, one), y, s1, t1);
-    coordinate_at(d, planes, x, hn::Add(y, one), s2, t2);
+    coordinate_at(d, planes, x, hn::Add(y, next_row), s2, t2);
     const V along_x =
         length_squared(hn::Mul(hn::Sub(s1, s0), width), hn::Mul(hn::Sub(t1, t0), height));
     const V along_y =

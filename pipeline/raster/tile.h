@@ -15,7 +15,8 @@ inline constexpr int kTileHeight = 32;
 struct Tile {
   alignas(64) uint32_t colour[kTileHeight * kTileWidth];         // RGBA8, R in the low byte
   alignas(64) uint32_t depth_stencil[kTileHeight * kTileWidth];  // depth << 8 | stencil
-  int x = 0, y = 0;  // window coordinates of the first pixel
+  int x = 0, y = 0;       // window coordinates of the first pixel
+  int mirror_height = 0;  // > 0: the surface has this many rows, and its first is the upmost
 };
 
 // Which pixels of a tile a primitive covers: bit i of rows[j] is pixel (x + i, y + j).

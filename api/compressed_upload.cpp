@@ -1,0 +1,63 @@
+// Compressed texture images become RGBA8 texels (3.7.3, 3.7.4). Mipmaps are not generated from them
+// (3.7.7).
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "api/compressed_format.h"
+#include "api/exec.h"
+#include "api/pixel_format.h"
+#include "api/texture_levels.h"
+
+namespace clearpipe::api::exec {
+
+namespace {
+
+// The data of formats with a palette has all levels, from the base to that of -level.
+Levels decode_palette(const Palette& palette, GLint level, GLsizei width, GLsizei height,
+                      const uint8_t* colours) {
+  const size_t bytes = pixel_bytes(palette.format, palette.type);
+  const uint8_t* indices = colours + (bytes << palette.index_bits);
+  Levels levels;
+  for (int i = 0; i <= -level; ++i) {
+    pipeline::ImageLevel to = make_level(width == 0 ? 0 : std::max(width >> i, 1),
+                                         height == 0 ? 0 : std::max(height >> i, 1));
+    for (size_t k = 0; k < to.texels.size(); ++k) {
+      // Two 4-bit indices in a byte: the first is in the upper half.
+      const uint32_t index = palette.index_bits == 8 ? indices[k]
+                             : k % 2 == 0            ? indices[k / 2] >> 4u
+                                                     : indices[k / 2] & 15u;
+      to.texels[k] = unpack_pixel(colours + bytes * index, palette.format, palette.type);
+    }
+    indices += (to.texels.size() * static_cast<size_t>(palette.index_bits) + 7) / 8;
+    levels.push_back(std::move(to));
+  }
+  return levels;
+}
+
+}  // namespace
+
+void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsizei width,
+                          GLsizei height, GLint, GLsizei, const void* data) {
+  TextureObject& texture = *c.active_unit().texture;
+  const auto* bytes = static_cast<const uint8_t*>(data);
+  if (const CompressedFormat* format = compressed_format(internal)) {
+    pipeline::ImageLevel to = make_level(width, height);
+    format->decode(bytes, {to, 0, 0, width, height});
+    replace_level(c, texture, level, std::move(to), internal, format->base);
+    return;
+  }
+  const Palette palette = palette_of(internal);
+  install_levels(c, texture, 0, decode_palette(palette, level, width, height, bytes), internal,
+                 palette.format);
+}
+
+void compressed_tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width,
+                              GLsizei height, GLenum internal, GLsizei, const void* data) {
+  if (width == 0 || height == 0) return;
+  change_level(c, *c.active_unit().texture, level, [&](pipeline::ImageLevel& to) {
+    compressed_format(internal)->decode(static_cast<const uint8_t*>(data),
+                                        {to, x, y, width, height});
+  });
+}
+
+}  // namespace clearpipe::api::exec

@@ -1,0 +1,122 @@
+// See texture_levels.h. Mipmaps are made by a 2x2 box filter.
+// SPDX-License-Identifier: MIT
+#include "api/texture_levels.h"
+
+#include <algorithm>
+
+#include "api/pixel_format.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+// Where a texel of a level half as large lies along one axis: between two texels, the second with
+// a weight of 0 to 256. From an even size it is the box of two; from an odd one, the centre's
+// place.
+struct Halfway {
+  int first, second;
+  uint32_t weight;
+};
+Halfway halfway(int to, int to_size, int from_size) {
+  // Twice to_size times the distance of the centre from that of the first texel.
+  const int64_t place = (2 * int64_t{to} + 1) * from_size - to_size;
+  const int64_t unit = 2 * int64_t{to_size};
+  const int first = static_cast<int>(place / unit);
+  return {first, std::min(first + 1, from_size - 1),
+          static_cast<uint32_t>((place % unit * 256 + to_size) / unit)};
+}
+
+uint32_t mix(const uint32_t (&texel)[4], uint32_t s, uint32_t t) {
+  uint32_t result = 0;
+  for (uint32_t shift = 0; shift < 32; shift += 8) {
+    auto c = [&texel, shift](int i) { return texel[i] >> shift & 255; };
+    const uint32_t lower = c(0) * (256 - s) + c(1) * s, upper = c(2) * (256 - s) + c(3) * s;
+    result |= (lower * (256 - t) + upper * t + 32768) >> 16 << shift;
+  }
+  return result;
+}
+
+pipeline::ImageLevel reduced(const pipeline::ImageLevel& from) {
+  pipeline::ImageLevel to = make_level(std::max(1, from.width / 2), std::max(1, from.height / 2));
+  size_t next = 0;
+  for (int y = 0; y < to.height; ++y) {
+    const Halfway t = halfway(y, to.height, from.height);
+    const uint32_t* lower = from.texels.data() + static_cast<ptrdiff_t>(t.first) * from.width;
+    const uint32_t* upper = from.texels.data() + static_cast<ptrdiff_t>(t.second) * from.width;
+    for (int x = 0; x < to.width; ++x) {
+      const Halfway s = halfway(x, to.width, from.width);
+      const uint32_t texel[4] = {lower[s.first], lower[s.second], upper[s.first], upper[s.second]};
+      to.texels[next++] = mix(texel, s.weight, t.weight);
+    }
+  }
+  return to;
+}
+
+void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
+                GLenum format) {
+  const size_t end = first + levels.size();
+  const bool pending = is_pending(texture);
+  const auto image = pending ? copy_image(texture, first, end) : texture.image;
+  if (image->levels.size() < end) image->levels.resize(end);
+  texture.image = image;
+  if (pending) texture.uses.clear();
+  for (size_t i = 0; i < levels.size(); ++i) {
+    TextureLevel& level = texture.level[first + i];
+    level = {levels[i].width, levels[i].height, internal, format, level.sibling};
+    image->levels[first + i].width = levels[i].width;
+    image->levels[first + i].height = levels[i].height;
+    replace_texels(texture, first + i, std::move(levels[i].texels));
+  }
+  ++texture.version;
+}
+
+}  // namespace
+
+pipeline::ImageLevel make_level(int width, int height) {
+  return {width, height,
+          pipeline::Texels(static_cast<size_t>(width) * static_cast<size_t>(height))};
+}
+
+void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
+                    GLenum internal, GLenum format) {
+  finish_drawing_to(c, texture);
+  orphan(texture);
+  set_levels(texture, first, std::move(levels), internal, format);
+}
+
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels) {
+  if (!has_mipmap(texture)) orphan(texture);
+  const TextureLevel base = texture.level[0];
+  set_levels(texture, first, std::move(levels), base.internal, base.format);
+}
+
+void add_mipmaps(Levels& levels) {
+  if (levels[0].width == 0 || levels[0].height == 0) return;
+  while (levels.back().width > 1 || levels.back().height > 1) {
+    levels.push_back(reduced(levels.back()));
+  }
+}
+
+// Automatic generation is not performed from compressed images.
+bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal) {
+  return level == 0 && texture.generate_mipmap && base_format(internal) != 0;
+}
+
+void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+                   GLenum internal, GLenum format) {
+  Levels levels;
+  levels.push_back(std::move(to));
+  if (generates_mipmap(texture, level, internal)) add_mipmaps(levels);
+  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), internal, format);
+}
+
+void make_writable(Context& c, TextureObject& texture) {
+  refresh(texture);
+  finish_drawing_to(c, texture);
+  size_t bytes = 0;
+  for (const pipeline::ImageLevel& l : texture.image->levels) bytes += 4 * l.texels.size();
+  if (may_write_in_place(c, texture, bytes)) return;
+  replace_image(texture, std::make_shared<pipeline::Image>(*texture.image));
+}
+
+}  // namespace clearpipe::api

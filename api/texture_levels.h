@@ -1,0 +1,62 @@
+// The levels of textures as they change (3.7.1 to 3.7.4, 3.7.7): replaced by new ones or written in
+// part, with the mipmaps that are generated from them, and never under a frame that samples them.
+//
+// New levels are made whole before the texture gets them, so that a call for which memory does not
+// suffice changes nothing.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "api/egl_image.h"
+#include "api/framebuffer.h"
+
+namespace clearpipe::api {
+
+using Levels = std::vector<pipeline::ImageLevel>;
+
+// A level with texels of zero.
+pipeline::ImageLevel make_level(int width, int height);
+
+// Gives the texture new levels from `first` on, as an application specifies them: it shares nothing
+// any more. Nothing changes when memory does not suffice.
+void install_levels(Context& context, TextureObject& texture, size_t first, Levels levels,
+                    GLenum internal, GLenum format);
+
+// As above, with levels that are generated. A mipmap that was complete keeps its structure, and so
+// what it shares (issues 4 and 5 of EGL_KHR_gl_image). Finish drawing to the texture before.
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels);
+
+// Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
+void add_mipmaps(Levels& levels);
+
+// Replaces one level, and those that follow from it.
+void replace_level(Context& context, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+                   GLenum internal, GLenum format);
+
+// Whether the levels above the base follow from a change of this one.
+bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal);
+
+// Makes the texture's texels its own, to be written where they are: no frame reads them.
+void make_writable(Context& context, TextureObject& texture);
+
+// Changes texels of one level, and the levels that follow from it.
+template <typename Change>
+void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
+  const size_t index = static_cast<size_t>(level);
+  if (generates_mipmap(texture, level, texture.level[index].internal)) {
+    refresh(texture);
+    finish_drawing_to(c, texture);
+    Levels levels;
+    levels.push_back(texture.image->levels[index]);
+    change(levels[0]);
+    add_mipmaps(levels);
+    regenerate_levels(texture, 0, std::move(levels));
+    return;
+  }
+  make_writable(c, texture);
+  change(texture.image->levels[index]);
+}
+
+}  // namespace clearpipe::api
