@@ -63,7 +63,7 @@ ImageError share_texture(const Context& c, GLuint name, GLint level, EglImagePtr
     return error;
   }
   TextureLevel& from = texture->level[static_cast<size_t>(level)];
-  if (is_shared(from.sibling)) return ImageError::kBadAccess;
+  if (is_shared(from.sibling) || texture->surface) return ImageError::kBadAccess;
   refresh(*texture);
   out = std::make_shared<EglImage>();
   out->width = from.width;
@@ -261,6 +261,7 @@ void egl_image_target_texture(Context& c, GLenum, const void* handle) {
   }
   texture.image = std::move(levels);
   texture.uses.clear();
+  texture.surface = nullptr;
   texture.level.fill({});
   texture.level[0] = {image->width, image->height, image->internal, image->format, image};
   texture.has_siblings = true;

@@ -50,6 +50,8 @@ using BufferPtr = std::shared_ptr<BufferObject>;
 struct EglImage;  // egl_image.h
 using EglImagePtr = std::shared_ptr<EglImage>;
 
+struct SurfaceTexture;  // surface_texture.cpp
+
 struct TextureLevel {
   int width = 0, height = 0;
   GLenum internal = 0;  // as specified, sized and compressed ones too: levels must agree (3.7.9)
@@ -76,6 +78,7 @@ struct TextureObject {
   std::string label;
   FrameUses uses;             // of image
   bool has_siblings = false;  // a level is the sibling of an EGLImage
+  std::shared_ptr<SurfaceTexture> surface;  // its images are those of a surface (3.6 of EGL 1.5)
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
 

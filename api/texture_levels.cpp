@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "api/pixel_format.h"
+#include "api/surface_texture.h"
 
 namespace clearpipe::api {
 
@@ -80,6 +81,7 @@ pipeline::ImageLevel make_level(int width, int height) {
 void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format) {
   finish_drawing_to(c, texture);
+  forget_surface(texture);
   orphan(texture);
   set_levels(texture, first, std::move(levels), internal, format);
 }
