@@ -3,15 +3,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#define GL_GLEXT_PROTOTYPES 1
-#include <GLES/gl.h>
-#include <GLES/glext.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
 #include "api/context.h"
+#include "api/prototypes.h"
 
 namespace clearpipe::api {
 

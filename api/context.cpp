@@ -61,7 +61,7 @@ bool make_current(Context* context, const pipeline::Target& draw,
 Context* current_context() noexcept { return current; }
 
 void finish(Context* context) noexcept try { context->finish_frame(); } catch (...) {
-  context->set_error(GL_OUT_OF_MEMORY);
+  context->set_error(kOutOfMemory);
 }
 
 void set_targets(Context* context, const pipeline::Target& draw,
@@ -70,7 +70,7 @@ void set_targets(Context* context, const pipeline::Target& draw,
   context->surface_read = read;
   if (!context->framebuffer) use_targets(*context, draw, read);
 } catch (...) {
-  context->set_error(GL_OUT_OF_MEMORY);
+  context->set_error(kOutOfMemory);
 }
 
 }  // namespace clearpipe::api

@@ -8,6 +8,7 @@
 
 #include "api/context.h"
 #include "api/debug.h"
+#include "api/invalid.h"
 #include "api/state.h"
 #include "pipeline/exec/frame.h"
 
@@ -23,8 +24,8 @@ struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
-  GLenum raised = GL_NO_ERROR;  // by the call that is running
-  bool no_error = false;        // KHR_no_error: nothing but OUT_OF_MEMORY is reported
+  Invalid raised;         // by the call that is running
+  bool no_error = false;  // KHR_no_error: nothing but OUT_OF_MEMORY is reported
   DebugState debug;
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0);
@@ -52,16 +53,22 @@ struct Context {
   const TextureUnitState& active_unit() const {
     return state.texture.unit[static_cast<size_t>(state.texture.active)];
   }
+  // For the performance messages of the call that is running.
+  void note_slow(Slow what) { debug.slow |= 1u << static_cast<GLuint>(what); }
   // Executes the frame. The only way to do it from api/: the clock goes on only when it succeeded.
   void finish_frame() {
     frame.finish();
     clock->fetch_add(1, std::memory_order_release);
   }
+  void finish_frame(Slow why) {
+    if (!frame.empty()) note_slow(why);
+    finish_frame();
+  }
   // The first error sticks until it is asked for (2.5).
-  void set_error(GLenum value) {
-    if (no_error && value != GL_OUT_OF_MEMORY) return;
-    if (error == GL_NO_ERROR) error = value;
-    raised = value;
+  void set_error(const Invalid& wrong) {
+    if (no_error && wrong.error != GL_OUT_OF_MEMORY) return;
+    if (error == GL_NO_ERROR) error = wrong.error;
+    raised = wrong;
   }
 };
 

@@ -6,15 +6,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "api/context_state.h"
+#include "api/error_text.h"
 
 namespace clearpipe::api {
 
 namespace {
 
-// CLEARPIPE_DEBUG=1: errors go to stderr as well.
+// CLEARPIPE_DEBUG=1: errors go to stderr as well, and the first of each kind of what is slow.
 bool to_stderr() {
   static const bool on = [] {
     const char* value = std::getenv("CLEARPIPE_DEBUG");
@@ -40,39 +42,28 @@ bool is_wanted(const DebugGroup& group, const DebugMessage& m) {
   return wanted;
 }
 
-struct ErrorText {
-  const char *name, *meaning;
+struct SlowText {
+  GLenum severity;
+  const char* text;
 };
-ErrorText error_text(GLenum error) {  // table 2.3
-  switch (error) {
-    case GL_INVALID_ENUM:
-      return {"GL_INVALID_ENUM", "an enumerant is none that the call accepts"};
-    case GL_INVALID_VALUE:
-      return {"GL_INVALID_VALUE", "a number is out of range"};
-    case GL_INVALID_OPERATION:
-      return {"GL_INVALID_OPERATION", "not allowed in the current state"};
-    case GL_STACK_OVERFLOW:
-      return {"GL_STACK_OVERFLOW", "the stack is full"};
-    case GL_STACK_UNDERFLOW:
-      return {"GL_STACK_UNDERFLOW", "the stack has nothing to pop"};
-    case GL_INVALID_FRAMEBUFFER_OPERATION_OES:
-      return {"GL_INVALID_FRAMEBUFFER_OPERATION_OES", "the framebuffer is not complete"};
-    default:
-      return {"GL_OUT_OF_MEMORY", "memory does not suffice"};
-  }
-}
-
-// The first of a list of names and expressions, which is cut off it.
-std::string_view next_name(std::string_view& names) {
-  int depth = 0;
-  size_t end = 0;
-  for (; end < names.size() && (depth > 0 || names[end] != ','); ++end) {
-    depth += names[end] == '(' ? 1 : names[end] == ')' ? -1 : 0;
-  }
-  const std::string_view name = names.substr(0, end);
-  names.remove_prefix(std::min(end + 2, names.size()));
-  return name;
-}
+constexpr SlowText kSlowTexts[] = {
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "what was recorded so far is drawn now, and the call waits for it"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "draws that are not executed yet read what is changed: all of it is copied first"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "draws that are not executed yet read what is changed: they are executed first, and the call "
+     "waits for them"},
+    {GL_DEBUG_SEVERITY_MEDIUM_KHR,
+     "a texture is sampled by the draw that draws to it: what was recorded so far is drawn now, "
+     "and "
+     "the texture is copied"},
+    {GL_DEBUG_SEVERITY_LOW_KHR,
+     "what was recorded for the former framebuffer is drawn now, and the call waits for it"},
+    {GL_DEBUG_SEVERITY_LOW_KHR,
+     "vertices in client memory are copied at each draw; those in buffer objects are not"},
+};
+static_assert(std::size(kSlowTexts) == static_cast<size_t>(Slow::kCount));
 
 }  // namespace
 
@@ -97,46 +88,27 @@ void deliver_messages(Context& c) noexcept try {
   c.debug.delivering = false;  // a message that finds no memory is lost
 }
 
-bool wants_errors(const Context& c) { return c.debug.output || to_stderr(); }
+bool wants_messages(const Context& c) { return c.debug.output || to_stderr(); }
 
-void add_error_message(Context& c, const char* call, std::string_view names,
-                       const std::vector<std::string>& values, GLenum error) {
-  const ErrorText& what = error_text(error);
-  names.remove_prefix(1);  // the list stands in parentheses
-  names.remove_suffix(1);
-  std::string text = std::string(what.name) + " in " + call + "(";
-  for (size_t i = 0; i < values.size(); ++i) {
-    const std::string_view name = next_name(names);
-    if (i != 0) text += ", ";
-    text.append(name);
-    if (values[i] != "...") text += " = " + values[i];
+void add_performance_messages(Context& c, const char* call) {
+  for (GLuint i = 0; i < std::size(kSlowTexts); ++i) {
+    const uint32_t bit = 1u << i;
+    if (!(c.debug.slow & bit)) continue;
+    std::string text = std::string(call) + ": " + kSlowTexts[i].text;
+    if (to_stderr() && !(c.debug.slow_told & bit)) {
+      c.debug.slow_told |= bit;
+      std::fprintf(stderr, "clearpipe: %s (said once)\n", text.c_str());
+    }
+    add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_PERFORMANCE_KHR, i,
+                    kSlowTexts[i].severity, std::move(text)});
   }
-  text += std::string("): ") + what.meaning;
+}
+
+void add_error_message(Context& c, const CallText& call, const std::vector<Argument>& arguments) {
+  std::string text = error_text(call, arguments, c.raised);
   if (to_stderr()) std::fprintf(stderr, "clearpipe: %s\n", text.c_str());
-  add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, error,
+  add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, c.raised.error,
                   GL_DEBUG_SEVERITY_HIGH_KHR, std::move(text)});
-}
-
-std::string signed_text(long long value) { return std::to_string(value); }
-
-std::string unsigned_text(unsigned long long value) {
-  if (value < 0x100) return std::to_string(value);
-  char text[24];
-  std::snprintf(text, sizeof text, "0x%04llX", value);  // an enumerant, most likely
-  return text;
-}
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
-std::string pointer_text(const void* value) {
-  if (!value) return "null";
-  char text[32];
-  std::snprintf(text, sizeof text, "%p", value);
-  return text;
 }
 
 std::string* find_label(Context& c, GLenum identifier, GLuint name) {

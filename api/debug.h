@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "api/khr_debug.h"
+#include "api/params.h"
 
 namespace clearpipe::api {
 
@@ -40,6 +43,17 @@ struct DebugGroup {
   std::vector<DebugRule> rules;
 };
 
+// What makes a call slow that is not wrong, each the identifier of its performance message.
+enum class Slow : GLuint {
+  kWaits,          // the frame is drawn, and the call waits for it
+  kCopies,         // data that an unfinished frame reads is copied before it is changed
+  kFinishes,       // the frame is drawn because it reads data that is to be changed
+  kSamplesTarget,  // a draw samples the image it draws to
+  kChangesTarget,  // the frame is drawn because the next one goes to other images
+  kClientArrays,   // vertices in client memory are copied
+  kCount
+};
+
 struct DebugState {
   bool output = false;
   bool synchronous = false;  // messages always come before the call returns, on its thread
@@ -50,6 +64,8 @@ struct DebugState {
   std::vector<std::string> markers;                             // the groups of EXT_debug_marker
   bool delivering = false;            // what a callback causes by calls of its own is not reported
   std::vector<DebugMessage> waiting;  // made under the lock of the share group, not yet delivered
+  uint32_t slow = 0;                  // by the call that is running, a bit each
+  uint32_t slow_told = 0;             // on stderr, once each
 };
 
 // The object's label, or null: there is none of that name.
@@ -62,29 +78,40 @@ void add_message(Context& context, DebugMessage message);
 // applications do what they like in a callback.
 void deliver_messages(Context& context) noexcept;
 
-// Makes the message of an error that a call generated. `names` and `values` are its arguments.
-bool wants_errors(const Context& context);
-void add_error_message(Context& context, const char* call, std::string_view names,
-                       const std::vector<std::string>& values, GLenum error);
-
-// An argument of a call as text; "..." for what has none.
-std::string signed_text(long long value);
-std::string unsigned_text(unsigned long long value);
-std::string number_text(double value);
-std::string pointer_text(const void* value);
-template <typename Argument>
-std::string argument_text(const Argument& value) {
-  if constexpr (std::is_floating_point_v<Argument>) {
-    return number_text(static_cast<double>(value));
-  } else if constexpr (std::is_integral_v<Argument> && std::is_signed_v<Argument>) {
-    return signed_text(value);
-  } else if constexpr (std::is_integral_v<Argument>) {
-    return unsigned_text(value);
-  } else if constexpr (std::is_convertible_v<Argument, const void*>) {
-    return pointer_text(value);
+// An argument of a call; nothing for what has no text.
+using Argument =
+    std::variant<std::monostate, long long, unsigned long long, double, const void*, Params>;
+template <typename T>
+Argument make_argument(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<double>(value);
+  } else if constexpr (std::is_integral_v<T> && std::is_signed_v<T>) {
+    return static_cast<long long>(value);
+  } else if constexpr (std::is_integral_v<T>) {
+    return static_cast<unsigned long long>(value);
+  } else if constexpr (std::is_convertible_v<T, const void*>) {
+    return static_cast<const void*>(value);
+  } else if constexpr (std::is_same_v<T, Params>) {
+    return value;
   } else {
-    return "...";
+    return std::monostate();
   }
 }
+
+// A call as gles1.def writes it: its parameters with their types, and the arguments its validator
+// gets, both in parentheses.
+struct CallText {
+  const char *name, *parameters, *arguments;
+};
+
+// Whether anyone listens to messages of the implementation.
+bool wants_messages(const Context& context);
+
+// Makes the messages of what made a call slow.
+void add_performance_messages(Context& context, const char* call);
+
+// Makes the message of the error that a call has generated, which says what is wrong with what.
+void add_error_message(Context& context, const CallText& call,
+                       const std::vector<Argument>& arguments);
 
 }  // namespace clearpipe::api

@@ -1,14 +1,10 @@
 // Debug output (KHR_debug), markers (EXT_debug_marker) and contexts without errors (KHR_no_error).
 // SPDX-License-Identifier: MIT
+#include <functional>
 #include <string>
 
 #include "api/call_fixture.h"
-#include "api/khr_debug.h"
-
-// The system's header has no prototypes of KHR_debug.
-#define CALL(type, name, parameters, ...) extern "C" type GL_APIENTRY gl##name parameters;
-#include "api/gles1.def"
-#undef CALL
+#include "api/debug.h"
 
 namespace clearpipe::api {
 namespace {
@@ -48,6 +44,14 @@ class Debug : public CallTest {
     glGetDebugMessageLogKHR(1, sizeof text, nullptr, nullptr, nullptr, nullptr, nullptr, text);
     return text;
   }
+  // With vertices in a buffer object.
+  void draw_buffered() {
+    glBindBuffer(GL_ARRAY_BUFFER, quad_);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glVertexPointer(2, GL_FLOAT, 0, nullptr);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  GLuint quad_ = 0;
   std::vector<Seen> seen_;
 };
 
@@ -61,13 +65,58 @@ TEST_F(Debug, AnErrorComesWithItsCallAndArguments) {
   EXPECT_EQ(seen_[0].type, static_cast<GLenum>(GL_DEBUG_TYPE_ERROR_KHR));
   EXPECT_EQ(seen_[0].severity, kHigh);
   EXPECT_EQ(seen_[0].id, static_cast<GLuint>(GL_INVALID_ENUM));
-  EXPECT_EQ(
-      seen_[0].text.find("GL_INVALID_ENUM in glTexParameteri(target = 0x0DE1, pname = 0x2802"), 0u)
-      << seen_[0].text;
-  EXPECT_EQ(
-      seen_[1].text.find("GL_INVALID_VALUE in glScissor(x = 0, y = 0, width = -3, height = 4)"), 0u)
-      << seen_[1].text;
+  EXPECT_EQ(seen_[0].text,
+            "GL_INVALID_ENUM in glTexParameteri(target = GL_TEXTURE_2D, pname = GL_TEXTURE_WRAP_S, "
+            "param = GL_LINEAR): param GL_LINEAR is no wrap mode (3.7.5, table 3.13)");
+  EXPECT_EQ(seen_[1].text,
+            "GL_INVALID_VALUE in glScissor(x = 0, y = 0, width = -3, height = 4): width -3 is "
+            "negative (2.10.1, 4.1.2)");
   EXPECT_ERROR(GL_INVALID_ENUM);
+}
+
+// Every way an argument is written: enumerants with and without a name, bits, fixed-point numbers,
+// vectors, and several in one rule.
+TEST_F(Debug, ArgumentsAreNamedAsTheCallNamesThem) {
+  listen();
+  const GLfloat spot[4] = {-1};
+  glBlendFunc(0x1234, GL_ONE);
+  glDisable(GL_QUADRATIC_ATTENUATION);
+  glClear(0x10001);
+  glPointSizex(-0x8000);
+  glLightfv(GL_LIGHT1, GL_SPOT_EXPONENT, spot);
+  glLightModelx(GL_LIGHT_MODEL_AMBIENT, 1);
+  glBlendEquationOES(GL_ADD);
+  glOrthof(-1, 1, 2, 2, 0, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, -2, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glColorPointer(4, GL_BYTE, 0, spot);
+  glPopMatrix();
+  const char* const kTexts[] = {
+      "GL_INVALID_ENUM in glBlendFunc(sfactor = 0x1234, dfactor = 1): sfactor 0x1234 is no factor "
+      "of the source (4.1.7, table 4.1)",
+      "GL_INVALID_ENUM in glDisable(cap = GL_QUADRATIC_ATTENUATION): cap GL_QUADRATIC_ATTENUATION "
+      "is nothing that is enabled with Enable (6.2)",
+      "GL_INVALID_VALUE in glClear(mask = 0x10001): mask 0x10001 has bits other than those of the "
+      "colour, depth and stencil buffers (4.2.3)",
+      "GL_INVALID_VALUE in glPointSizex(size = -0.5): size -0.5 is not positive (3.3, 3.4)",
+      "GL_INVALID_VALUE in glLightfv(light = GL_LIGHT1, pname = GL_SPOT_EXPONENT, params): params "
+      "-1 is not in [0, 128] (2.12.1, table 2.8)",
+      "GL_INVALID_ENUM in glLightModelx(pname = GL_LIGHT_MODEL_AMBIENT, param = 1.52588e-05): "
+      "pname GL_LIGHT_MODEL_AMBIENT takes a vector: set it with a form of the call in v (2.3)",
+      "GL_INVALID_ENUM in glBlendEquationOES(mode = GL_ADD): mode GL_ADD is no blend equation "
+      "(OES_blend_subtract, EXT_blend_minmax)",
+      "GL_INVALID_VALUE in glOrthof(l = -1, r = 1, b = 2, t = 2, n = 0, f = 1): b 2 and t 2 are "
+      "equal (2.10.2)",
+      "GL_INVALID_VALUE in glTexImage2D(target = GL_TEXTURE_2D, level = 0, internalformat = "
+      "GL_RGBA, "
+      "width = 1, height = -2, border = 0, format = GL_RGBA, type = GL_UNSIGNED_BYTE, pixels = "
+      "null): width 1 or height -2 is negative, or larger than MAX_TEXTURE_SIZE allows at this "
+      "level (3.7.1)",
+      "GL_INVALID_ENUM in glColorPointer(size = 4, type = GL_BYTE, stride = 0, pointer): type "
+      "GL_BYTE is no type of this array (2.8, table 2.4)",
+      "GL_STACK_UNDERFLOW in glPopMatrix(): the stack of MATRIX_MODE has one entry only (2.10.2)",
+  };
+  ASSERT_EQ(seen_.size(), std::size(kTexts));
+  for (size_t i = 0; i < std::size(kTexts); ++i) EXPECT_EQ(seen_[i].text, kTexts[i]);
 }
 
 TEST_F(Debug, NothingIsSaidWhileDisabled) {
@@ -82,6 +131,72 @@ TEST_F(Debug, NothingIsSaidWhileDisabled) {
   EXPECT_TRUE(glIsEnabled(GL_DEBUG_OUTPUT_KHR));
   make_current(context_, target_, target_);
   destroy_context(debugged);
+}
+
+// What is slow says so, with its reason; the same calls are silent where they cost nothing.
+TEST_F(Debug, SlowCallsSaySo) {
+  glDebugMessageCallbackKHR(callback, &seen_);
+  glEnable(GL_DEBUG_OUTPUT_KHR);
+  glDebugMessageControlKHR(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE_KHR, GL_DONT_CARE, 0, nullptr,
+                           GL_TRUE);
+  const auto expect_slow = [this](Slow why, const char* call, const std::function<void()>& slow) {
+    glFinish();
+    seen_.clear();
+    slow();  // nothing is recorded that it could wait for
+    EXPECT_TRUE(seen_.empty()) << call << ": " << seen_[0].text;
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_buffered();
+    seen_.clear();
+    slow();
+    ASSERT_EQ(seen_.size(), 1u) << call;
+    EXPECT_EQ(seen_[0].type, static_cast<GLenum>(GL_DEBUG_TYPE_PERFORMANCE_KHR));
+    EXPECT_EQ(seen_[0].id, static_cast<GLuint>(why)) << call;
+    EXPECT_EQ(seen_[0].text.find(std::string(call) + ": "), 0u) << seen_[0].text;
+  };
+  glGenBuffers(1, &quad_);
+  glBindBuffer(GL_ARRAY_BUFFER, quad_);
+  static const float kQuad[] = {-1, -1, 1, -1, -1, 1, 1, 1};
+  glBufferData(GL_ARRAY_BUFFER, sizeof kQuad, kQuad, GL_STATIC_DRAW);
+  one_colour_texture(kRed, 4);
+  uint32_t texel = kGreen;
+  expect_slow(Slow::kWaits, "glReadPixels",
+              [&] { glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &texel); });
+  expect_slow(Slow::kWaits, "glFlush", [] { glFlush(); });
+  expect_slow(Slow::kWaits, "glCopyTexImage2D",
+              [] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0); });
+  expect_slow(Slow::kWaits, "glCopyTexSubImage2D",
+              [] { glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 1, 1); });
+  const auto change = [&] {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &texel);
+  };
+  expect_slow(Slow::kCopies, "glTexSubImage2D", change);
+  expect_slow(Slow::kCopies, "glBufferSubData",
+              [] { glBufferSubData(GL_ARRAY_BUFFER, 0, 4, kQuad); });
+  expect_slow(Slow::kCopies, "glMapBufferOES", [] {
+    glMapBufferOES(GL_ARRAY_BUFFER, GL_WRITE_ONLY_OES);
+    glUnmapBufferOES(GL_ARRAY_BUFFER);
+  });
+  fill_texture(kRed, 512);
+  expect_slow(Slow::kFinishes, "glTexSubImage2D", change);
+  expect_slow(Slow::kChangesTarget, "glBindFramebufferOES",
+              [] { glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0); });
+
+  GLint texture = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, 1);
+  glFramebufferTexture2DOES(GL_FRAMEBUFFER_OES, GL_COLOR_ATTACHMENT0_OES, GL_TEXTURE_2D,
+                            static_cast<GLuint>(texture), 0);
+  seen_.clear();
+  draw_buffered();
+  ASSERT_EQ(seen_.size(), 1u);
+  EXPECT_EQ(seen_[0].id, static_cast<GLuint>(Slow::kSamplesTarget));
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  seen_.clear();
+  draw_quad();
+  ASSERT_EQ(seen_.size(), 1u);
+  EXPECT_EQ(seen_[0].id, static_cast<GLuint>(Slow::kClientArrays));
+  EXPECT_EQ(seen_[0].text.find("glDrawArrays: "), 0u);
 }
 
 TEST_F(Debug, WithoutACallbackMessagesAreLogged) {

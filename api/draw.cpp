@@ -92,6 +92,7 @@ void notice_changed_textures(Context& c) {
     refresh(*unit.texture);
     if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
     if (samples_its_target(c, *unit.texture)) {
+      c.note_slow(Slow::kSamplesTarget);
       c.finish_frame();  // the draw samples what the level holds now
       c.dirty |= kDirtyFragment;
     }
@@ -126,8 +127,12 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   static_assert(GL_POINTS == 0 && GL_TRIANGLE_FAN == 6);
   command.primitive = static_cast<pipeline::Primitive>(mode);
   if (!bind_arrays(c, command)) return;
+  const auto in_client_memory = [](const AttributeSource& s) { return s.is_array && !s.buffer; };
+  if (std::any_of(command.attributes.begin(), command.attributes.end(), in_client_memory)) {
+    c.note_slow(Slow::kClientArrays);
+  }
   note_uses(c, command);
-  if (!c.frame.draw(command)) c.set_error(GL_OUT_OF_MEMORY);
+  if (!c.frame.draw(command)) c.set_error(kOutOfMemory);
 }
 
 // Rounds as the reference does, to even: 0.3 is 76, 0.9 is 230.
@@ -205,12 +210,12 @@ void clear(Context& c, GLbitfield mask) {
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
   note_drawn_image(c);
-  if (!c.frame.clear(command)) c.set_error(GL_OUT_OF_MEMORY);
+  if (!c.frame.clear(command)) c.set_error(kOutOfMemory);
 }
 
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels) {
-  c.finish_frame();
+  c.finish_frame(Slow::kWaits);
   update_targets(c);
   pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;

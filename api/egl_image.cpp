@@ -247,9 +247,15 @@ void orphan(TextureObject& texture) {
 
 namespace exec {
 
+namespace {
+
+constexpr Invalid kDestroyedImage{GL_INVALID_VALUE, "{1} was destroyed meanwhile (OES_EGL_image)"};
+
+}  // namespace
+
 void egl_image_target_texture(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(GL_INVALID_VALUE);  // destroyed by another thread since
+  if (!image) return c.set_error(kDestroyedImage);
   TextureObject& texture = *c.active_unit().texture;
   finish_drawing_to(c, texture);
   auto levels = std::make_shared<pipeline::Image>();
@@ -270,7 +276,7 @@ void egl_image_target_texture(Context& c, GLenum, const void* handle) {
 
 void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(GL_INVALID_VALUE);
+  if (!image) return c.set_error(kDestroyedImage);
   std::shared_ptr<pipeline::ColourBuffer> colour;
   if (!image->depth_stencil) {
     const ImageLock lock(image->mutex);
@@ -293,18 +299,40 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
 
 namespace validate {
 
-GLenum egl_image_target_texture(const Context&, GLenum target, const void* handle) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
+namespace {
+
+constexpr Invalid kNoImage{GL_INVALID_VALUE,
+                           "{1} is no image of eglCreateImage (OES_EGL_image, 3.8.2)"};
+
+}  // namespace
+
+Invalid egl_image_target_texture(const Context&, GLenum target, const void* handle) {
+  if (target != GL_TEXTURE_2D) {
+    return {GL_INVALID_ENUM, "{0} is not TEXTURE_2D (OES_EGL_image, 3.8.2)"};
+  }
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return GL_INVALID_VALUE;
-  return image->format != 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  if (!image) return kNoImage;
+  if (image->format == 0) {
+    return {GL_INVALID_OPERATION,
+            "{1} is of depth or stencil, which is no texture (OES_EGL_image, 3.8.2)"};
+  }
+  return {};
 }
 
-GLenum egl_image_target_renderbuffer(const Context& c, GLenum target, const void* handle) {
-  if (target != GL_RENDERBUFFER_OES) return GL_INVALID_ENUM;
+Invalid egl_image_target_renderbuffer(const Context& c, GLenum target, const void* handle) {
+  if (target != GL_RENDERBUFFER_OES) {
+    return {GL_INVALID_ENUM, "{0} is not RENDERBUFFER_OES (OES_EGL_image, 4.4.2.1)"};
+  }
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return GL_INVALID_VALUE;
-  return c.renderbuffer && image->renderbuffer_internal != 0 ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  if (!image) return kNoImage;
+  if (!c.renderbuffer) {
+    return {GL_INVALID_OPERATION, "no renderbuffer is bound (OES_EGL_image, 4.4.2.1)"};
+  }
+  if (image->renderbuffer_internal == 0) {
+    return {GL_INVALID_OPERATION,
+            "{1} is of a format that cannot be drawn to (OES_EGL_image, 4.4.2.1)"};
+  }
+  return {};
 }
 
 }  // namespace validate

@@ -45,15 +45,17 @@ Type nothing() {
   return Type();
 }
 
-// At the end of a call, after the lock is gone: the message of its error, and all others.
+// At the end of a call, after the lock is gone: the messages of its error and of what made it slow,
+// and all others.
 template <typename Report>
 class AtEnd {
  public:
   AtEnd(Context& context, const Report& report) : context_(context), report_(report) {
-    context_.raised = GL_NO_ERROR;
+    context_.raised = {};
+    context_.debug.slow = 0;
   }
   ~AtEnd() {
-    if (context_.raised != GL_NO_ERROR && wants_errors(context_)) try {
+    if ((context_.raised || context_.debug.slow) && wants_messages(context_)) try {
         report_(context_);
       } catch (...) {
         // A message that finds no memory is lost.
@@ -69,9 +71,9 @@ class AtEnd {
 };
 
 template <typename... Arguments>
-void report_error(Context& context, const char* call, const char* names,
-                  const Arguments&... arguments) {
-  add_error_message(context, call, names, {argument_text(arguments)...}, context.raised);
+void report_call(Context& context, const CallText& call, const Arguments&... arguments) {
+  if (context.raised) add_error_message(context, call, {make_argument(arguments)...});
+  if (context.debug.slow) add_performance_messages(context, call.name);
 }
 
 template <typename Return, bool kLocks, typename Body, typename Report>
@@ -87,7 +89,7 @@ Return enter(const Body& body, const Report& report) noexcept {
       return body(*context);
     }
   } catch (...) {
-    context->set_error(GL_OUT_OF_MEMORY);
+    context->set_error(kOutOfMemory);
     return Return();
   }
 }
@@ -98,12 +100,11 @@ Return enter(const Body& body, const Report& report) noexcept {
 #define CALL(type, name, parameters, arguments, validator, executor, group, stages)        \
   extern "C" __attribute__((visibility("default"))) type GL_APIENTRY gl##name parameters { \
     const auto report = [&](Context& context) {                                            \
-      report_error(context, "gl" #name, #arguments AFTER_CONTEXT arguments);               \
+      report_call(context, {"gl" #name, #parameters, #arguments} AFTER_CONTEXT arguments); \
     };                                                                                     \
     const auto body = [&](Context& context) -> type {                                      \
-      const GLenum error = validate::validator(context AFTER_CONTEXT arguments);           \
-      if (error != GL_NO_ERROR) {                                                          \
-        context.set_error(error);                                                          \
+      if (const Invalid wrong = validate::validator(context AFTER_CONTEXT arguments)) {    \
+        context.set_error(wrong);                                                          \
         return nothing<type>();                                                            \
       }                                                                                    \
       return exec::executor(context AFTER_CONTEXT arguments);                              \

@@ -1,10 +1,13 @@
-// Calls that must be refused: each generates its error and leaves every queriable variable, the
-// bound texture, the bound buffers and the surface as they were (2.5).
+// Calls that must be refused: each generates its error, with a message that names the rule, and
+// leaves every queriable variable, the bound texture, the bound buffers and the surface as they
+// were (2.5).
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
+#include <regex>
 #include <span>
+#include <string>
 
 #include "api/call_fixture.h"
 #include "api/initial_state.h"
@@ -35,6 +38,12 @@ class ErrorTest : public CallTest {
       glBufferData(target, 8, nullptr, GL_STATIC_DRAW);
     }
     ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    glEnable(GL_DEBUG_OUTPUT_KHR);
+    glDebugMessageCallbackKHR(
+        [](GLenum, GLenum, GLuint, GLenum, GLsizei, const char* text, const void* user) {
+          static_cast<ErrorTest*>(const_cast<void*>(user))->message_ = text;
+        },
+        this);
   }
 
   static std::vector<GLfloat> snapshot() {
@@ -86,6 +95,10 @@ class ErrorTest : public CallTest {
       c.call();
       EXPECT_EQ(glGetError(), c.error) << c.text;
       EXPECT_EQ(snapshot(), before) << c.text;
+      // "GL_... in gl...(...): which argument breaks which rule (section)"
+      static const std::regex kRule(R"(GL_\w+ in gl\w+\(.*\): [^{}]+ \([^{}]+\))");
+      EXPECT_TRUE(std::regex_match(message_, kRule)) << c.text << ": " << message_;
+      message_.clear();
       EXPECT_ERROR(GL_NO_ERROR) << c.text;
     }
     EXPECT_EQ(pixel(8, 8), 0u);
@@ -96,6 +109,7 @@ class ErrorTest : public CallTest {
     EXPECT_EQ(pixel(8, 8), kGreen) << "the texture has changed";
   }
 
+  std::string message_;  // of the last error
   // Something to point to where the call must not look.
   static inline GLfloat f[16] = {};
   static inline GLfixed x[16] = {};

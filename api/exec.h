@@ -10,6 +10,7 @@ namespace clearpipe::api::exec {
 // exec_state.cpp
 GLenum get_error(Context&);
 void finish_all(Context&);
+void flush_all(Context&);
 void hint(Context&, GLenum target, GLenum mode);
 void enable(Context&, GLenum cap, bool value);
 void color(Context&, float r, float g, float b, float a);

@@ -13,7 +13,7 @@ namespace {
 
 void attach(Context& c, GLenum point, const Attachment& attachment) {
   // What was drawn to the former image is in it before anyone looks.
-  c.finish_frame();
+  c.finish_frame(Slow::kChangesTarget);
   *attachment_point(*c.framebuffer, point) = attachment;
 }
 

@@ -88,7 +88,9 @@ GLenum get_error(Context& c) {
   return error;
 }
 
+// Both execute everything: nothing is drawn while the application goes on.
 void finish_all(Context& c) { c.finish_frame(); }
+void flush_all(Context& c) { c.finish_frame(Slow::kWaits); }
 
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;

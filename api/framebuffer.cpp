@@ -125,6 +125,10 @@ bool same(const pipeline::Target& a, const pipeline::Target& b) {
          a.height == b.height && a.mirrored == b.mirrored;
 }
 
+constexpr Invalid kNoSurface{GL_INVALID_FRAMEBUFFER_OPERATION_OES,
+                             "the context is current without a surface "
+                             "(OES_surfaceless_context)"};
+
 // Whether the target is one of the first levels of the texture: itself, or through an EGLImage.
 bool draws_to(const Context& c, const TextureObject& texture, size_t levels) {
   if (!c.draw.colour) return false;
@@ -144,18 +148,38 @@ GLenum framebuffer_status(const Context& c) {
                                                                : GL_FRAMEBUFFER_UNDEFINED_OES;
 }
 
-GLenum draw_framebuffer_error(const Context& c) {
-  return framebuffer_status(c) == GL_FRAMEBUFFER_COMPLETE_OES
-             ? GL_NO_ERROR
-             : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+Invalid drawn_framebuffer(const Context& c) {
+  const auto incomplete = [](const char* rule) {
+    return Invalid(GL_INVALID_FRAMEBUFFER_OPERATION_OES, rule);
+  };
+  switch (framebuffer_status(c)) {
+    case GL_FRAMEBUFFER_COMPLETE_OES:
+      return {};
+    case GL_FRAMEBUFFER_UNDEFINED_OES:
+      return kNoSurface;
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT_OES:
+      return incomplete(
+          "an image attached to the framebuffer object has no size, or a format that cannot be "
+          "drawn to there (OES_framebuffer_object, 4.4.4.1)");
+    case GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS_OES:
+      return incomplete(
+          "the images attached to the framebuffer object differ in size (OES_framebuffer_object, "
+          "4.4.4.2)");
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_OES:
+      return incomplete(
+          "nothing is attached to the framebuffer object (OES_framebuffer_object, 4.4.4.2)");
+    default:
+      return incomplete(
+          "depth and stencil of the framebuffer object are different images, which is not "
+          "supported (OES_framebuffer_object, 4.4.4.2)");
+  }
 }
 
-GLenum read_framebuffer_error(const Context& c) {
-  if (!c.framebuffer) {
-    return c.surface_read.colour ? GL_NO_ERROR : GL_INVALID_FRAMEBUFFER_OPERATION_OES;
-  }
-  if (const GLenum error = draw_framebuffer_error(c)) return error;
-  return image_of(c.framebuffer->colour).present ? GL_NO_ERROR : GL_INVALID_OPERATION;
+Invalid read_framebuffer(const Context& c) {
+  if (!c.framebuffer) return c.surface_read.colour ? Invalid() : kNoSurface;
+  if (const Invalid wrong = drawn_framebuffer(c)) return wrong;
+  return operation_unless(image_of(c.framebuffer->colour).present,
+                          "the framebuffer object has no colour image to read (4.3.1)");
 }
 
 pipeline::Target draw_target(const Context& c) {
@@ -169,7 +193,7 @@ pipeline::Target read_target(const Context& c) {
 }
 
 void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Target& read) {
-  c.finish_frame();
+  c.finish_frame(Slow::kChangesTarget);
   c.frame.set_target(draw);
   c.draw = draw;
   c.read = read;
@@ -189,7 +213,7 @@ void note_drawn_image(Context& c) {
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (draws_to(c, texture, texture.image->levels.size())) c.finish_frame();
+  if (draws_to(c, texture, texture.image->levels.size())) c.finish_frame(Slow::kFinishes);
 }
 
 bool samples_its_target(const Context& c, const TextureObject& texture) {
@@ -214,7 +238,7 @@ void detach(Context& c, const TexturePtr& texture) {
   FramebufferObject& f = *c.framebuffer;
   for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
     if (a->texture != texture) continue;
-    c.finish_frame();
+    c.finish_frame(Slow::kChangesTarget);
     *a = {};
   }
 }
@@ -224,7 +248,7 @@ void detach(Context& c, const RenderbufferPtr& renderbuffer) {
   FramebufferObject& f = *c.framebuffer;
   for (Attachment* a : {&f.colour, &f.depth, &f.stencil}) {
     if (a->renderbuffer != renderbuffer) continue;
-    c.finish_frame();
+    c.finish_frame(Slow::kChangesTarget);
     *a = {};
   }
 }

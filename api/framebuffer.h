@@ -4,15 +4,16 @@
 #pragma once
 
 #include "api/context_state.h"
+#include "api/invalid.h"
 
 namespace clearpipe::api {
 
 // What CheckFramebufferStatusOES returns for the bound framebuffer.
 GLenum framebuffer_status(const Context& context);
 
-// The error a command that draws or reads pixels generates (4.4.4.2 of EXT_framebuffer_object).
-GLenum draw_framebuffer_error(const Context& context);
-GLenum read_framebuffer_error(const Context& context);
+// What is wrong for a command that draws or reads pixels (4.4.4.2 of EXT_framebuffer_object).
+Invalid drawn_framebuffer(const Context& context);
+Invalid read_framebuffer(const Context& context);
 
 // The images to draw to and to read from: those of the bound framebuffer object, as they are now,
 // none if it is not complete; else the surfaces.

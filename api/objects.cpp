@@ -51,8 +51,11 @@ int last_mipmap_level(const TextureObject& texture) {
 
 bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes) {
   if (!uses.pending()) return true;
-  if (bytes <= kCopyLimit || uses.pending_elsewhere(context.clock)) return false;
-  context.finish_frame();
+  if (bytes <= kCopyLimit || uses.pending_elsewhere(context.clock)) {
+    context.note_slow(Slow::kCopies);
+    return false;
+  }
+  context.finish_frame(Slow::kFinishes);
   return true;
 }
 

@@ -76,8 +76,8 @@ struct TextureObject {
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
-  FrameUses uses;             // of image
-  bool has_siblings = false;  // a level is the sibling of an EGLImage
+  FrameUses uses;                           // of image
+  bool has_siblings = false;                // a level is the sibling of an EGLImage
   std::shared_ptr<SurfaceTexture> surface;  // its images are those of a surface (3.6 of EGL 1.5)
 };
 using TexturePtr = std::shared_ptr<TextureObject>;

@@ -92,17 +92,18 @@ bool query(const Context& c, GLenum pname, const Out* out) {
 
 namespace validate {
 
-GLenum get(const Context& c, GLenum pname, const Out&) {
-  return query(c, pname, nullptr) ? GL_NO_ERROR : is_enabled(c, pname);
+Invalid get(const Context& c, GLenum pname, const Out&) {
+  return enum_unless(query(c, pname, nullptr) || !is_enabled(c, pname),
+                     "{0} is no state that GetBooleanv and its like return (6.1.1, 6.2)");
 }
 
-GLenum get_string(const Context&, GLenum name) {
-  return name == GL_VENDOR || name == GL_RENDERER || name == GL_VERSION || name == GL_EXTENSIONS
-             ? GL_NO_ERROR
-             : GL_INVALID_ENUM;
+Invalid get_string(const Context&, GLenum name) {
+  return enum_unless(
+      name == GL_VENDOR || name == GL_RENDERER || name == GL_VERSION || name == GL_EXTENSIONS,
+      "{0} is no string (6.1.5)");
 }
 
-GLenum get_pointer(const Context&, GLenum pname, void**) {
+Invalid get_pointer(const Context&, GLenum pname, void**) {
   switch (pname) {
     case GL_VERTEX_ARRAY_POINTER:
     case GL_NORMAL_ARRAY_POINTER:
@@ -111,59 +112,58 @@ GLenum get_pointer(const Context&, GLenum pname, void**) {
     case GL_POINT_SIZE_ARRAY_POINTER_OES:
     case GL_DEBUG_CALLBACK_FUNCTION_KHR:
     case GL_DEBUG_CALLBACK_USER_PARAM_KHR:
-      return GL_NO_ERROR;
+      return {};
     default:
-      return GL_INVALID_ENUM;
+      return {GL_INVALID_ENUM, "{0} is no pointer (6.1.5)"};
   }
 }
 
-GLenum get_light(const Context&, GLenum light, GLenum pname, const Out&) {
-  const bool known = pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
-                     (pname >= GL_POSITION && pname <= GL_QUADRATIC_ATTENUATION);
-  return known && light >= GL_LIGHT0 && light < GL_LIGHT0 + kLights ? GL_NO_ERROR : GL_INVALID_ENUM;
+Invalid get_light(const Context&, GLenum light, GLenum pname, const Out&) {
+  if (light < GL_LIGHT0 || light >= GL_LIGHT0 + kLights) {
+    return {GL_INVALID_ENUM, "{0} is none of LIGHT0 to LIGHT7 (6.1.3)"};
+  }
+  return enum_unless(pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
+                         (pname >= GL_POSITION && pname <= GL_QUADRATIC_ATTENUATION),
+                     "{1} is no parameter of a light (6.1.3, table 6.10)");
 }
 
-GLenum get_material(const Context&, GLenum face, GLenum pname, const Out&) {
-  const bool known = pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
-                     pname == GL_EMISSION || pname == GL_SHININESS;
-  return known && (face == GL_FRONT || face == GL_BACK) ? GL_NO_ERROR : GL_INVALID_ENUM;
+Invalid get_material(const Context&, GLenum face, GLenum pname, const Out&) {
+  if (face != GL_FRONT && face != GL_BACK) {
+    return {GL_INVALID_ENUM, "{0} is neither FRONT nor BACK (6.1.3)"};
+  }
+  return enum_unless(pname == GL_AMBIENT || pname == GL_DIFFUSE || pname == GL_SPECULAR ||
+                         pname == GL_EMISSION || pname == GL_SHININESS,
+                     "{1} is no single parameter of a material (6.1.3, table 6.9)");
 }
 
-GLenum get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
+Invalid get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
   // The names that can be set are those that can be asked for; 1 is valid for none but the scales.
-  if (target == GL_POINT_SPRITE_OES) {
-    return pname == GL_COORD_REPLACE_OES ? GL_NO_ERROR : GL_INVALID_ENUM;
-  }
-  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
-    return pname == GL_TEXTURE_LOD_BIAS_EXT ? GL_NO_ERROR : GL_INVALID_ENUM;
-  }
-  if (target != GL_TEXTURE_ENV) return GL_INVALID_ENUM;
   const GLfloat probe_mode[4] = {GL_REPLACE}, probe_source[4] = {GL_PREVIOUS},
                 probe_operand[4] = {GL_SRC_ALPHA}, probe_scale[4] = {1};
+  Invalid wrong;
   for (const GLfloat* probe : {probe_mode, probe_source, probe_operand, probe_scale}) {
-    if (tex_env(c, target, pname, Params(probe)) == GL_NO_ERROR) return GL_NO_ERROR;
+    wrong = tex_env(c, target, pname, Params(probe));
+    if (!wrong) break;
   }
-  return GL_INVALID_ENUM;
+  return wrong;
 }
 
-GLenum get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&) {
-  const bool known = pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
-                     pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
-                     pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
-                     pname == GL_TEXTURE_MAX_ANISOTROPY_EXT;
-  return known && target == GL_TEXTURE_2D ? GL_NO_ERROR : GL_INVALID_ENUM;
+Invalid get_tex_parameter(const Context& c, GLenum target, GLenum pname, const Out&) {
+  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
+  return enum_unless(pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
+                         pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
+                         pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
+                         pname == GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                     "{1} is no parameter of textures (6.1.3, table 6.14)");
 }
 
-GLenum get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
-  if (buffer_target(c, target, 0) != GL_NO_ERROR) return GL_INVALID_ENUM;
+Invalid get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
+  if (const Invalid wrong = buffer_target(c, target, 0)) return wrong;
   if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
       pname != GL_BUFFER_MAPPED_OES) {
-    return GL_INVALID_ENUM;
+    return {GL_INVALID_ENUM, "{1} is no parameter of buffer objects (6.1.6, table 6.6)"};
   }
-  const ArraysState& a = c.state.arrays;
-  return (target == GL_ARRAY_BUFFER ? a.array_buffer : a.element_array_buffer)
-             ? GL_NO_ERROR
-             : GL_INVALID_OPERATION;
+  return operation_unless(bound_buffer(c, target) != nullptr, kNoBuffer);
 }
 
 }  // namespace validate

@@ -77,7 +77,7 @@ void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei wi
 
 void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
-  c.finish_frame();
+  c.finish_frame(Slow::kWaits);
   update_targets(c);
   pipeline::ImageLevel to = make_level(width, height);
   std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
@@ -88,7 +88,7 @@ void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, G
 void copy_tex_sub_image(Context& c, GLenum, GLint level, GLint xoffset, GLint yoffset, GLint x,
                         GLint y, GLsizei width, GLsizei height) {
   if (width == 0 || height == 0) return;
-  c.finish_frame();
+  c.finish_frame(Slow::kWaits);
   update_targets(c);
   TextureObject& texture = *c.active_unit().texture;
   const GLenum format = texture.level[static_cast<size_t>(level)].format;

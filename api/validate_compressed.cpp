@@ -11,12 +11,28 @@ namespace clearpipe::api::validate {
 
 namespace {
 
-GLenum palette_image(const Palette& palette, GLint level, GLsizei width, GLsizei height,
-                     GLint border, GLsizei size, const void* data) {
+constexpr Invalid kNoFormat{GL_INVALID_ENUM,
+                            "{0} is no format of compressed images (3.7.3, table 3.10)"};
+
+// Two arguments in a row.
+Invalid image_data(int64_t expected, GLsizei size, const void* data) {
+  if (size != expected) {
+    return {GL_INVALID_VALUE, "{0} is not the size of such an image (3.7.3)"};
+  }
+  return value_unless(data || size == 0, "{1} is no image (3.7.3)");
+}
+
+Invalid palette_image(const Palette& palette, GLint level, GLsizei width, GLsizei height,
+                      GLint border, GLsizei size, const void* data) {
   // The level is minus the number of levels beyond the base (3.7.4).
-  if (level > 0 || level <= -kTextureLevels) return GL_INVALID_VALUE;
-  if (const GLenum error = level_and_size(0, width, height, border)) return error;
-  if (-level > 0 && std::max(width, height) >> -level == 0) return GL_INVALID_VALUE;
+  if (level > 0 || level <= -kTextureLevels) {
+    return {GL_INVALID_VALUE, "{1} is not minus the number of levels beyond the base (3.7.4)"};
+  }
+  if (const Invalid wrong = image_size(0, width, height)) return wrong.from(3);
+  if (const Invalid wrong = image_border(border)) return wrong.from(3);
+  if (-level > 0 && std::max(width, height) >> -level == 0) {
+    return {GL_INVALID_VALUE, "{1} asks for more levels than {3} and {4} have (3.7.4)"};
+  }
   int64_t expected = static_cast<int64_t>(pixel_bytes(palette.format, palette.type))
                      << palette.index_bits;
   for (int i = 0; i <= -level; ++i) {
@@ -24,7 +40,7 @@ GLenum palette_image(const Palette& palette, GLint level, GLsizei width, GLsizei
                            (height == 0 ? 0 : std::max(height >> i, 1));
     expected += (texels * palette.index_bits + 7) / 8;
   }
-  return size == expected && data ? GL_NO_ERROR : GL_INVALID_VALUE;
+  return image_data(expected, size, data).from(6);
 }
 
 bool is_allowed(ImageSizes sizes, GLsizei size) {
@@ -38,45 +54,58 @@ bool is_allowed(ImageParts parts, GLint offset, GLsizei length, GLsizei whole) {
   return length % 4 == 0 || end == whole;
 }
 
-GLenum data_of(const CompressedFormat& format, GLsizei width, GLsizei height, GLsizei size,
-               const void* data) {
-  const bool good = size == compressed_bytes(format, width, height) && (data || size == 0);
-  return good ? GL_NO_ERROR : GL_INVALID_VALUE;
+Invalid block_data(const CompressedFormat& format, GLsizei width, GLsizei height, GLsizei size,
+                   const void* data) {
+  return image_data(compressed_bytes(format, width, height), size, data);
 }
 
 }  // namespace
 
-GLenum compressed_tex_image(const Context&, GLenum target, GLint level, GLenum internal,
-                            GLsizei width, GLsizei height, GLint border, GLsizei size,
-                            const void* data) {
+Invalid compressed_tex_image(const Context& c, GLenum target, GLint level, GLenum internal,
+                             GLsizei width, GLsizei height, GLint border, GLsizei size,
+                             const void* data) {
+  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
   const Palette palette = palette_of(internal);
   const CompressedFormat* format = compressed_format(internal);
-  if (target != GL_TEXTURE_2D || (palette.index_bits == 0 && !format)) return GL_INVALID_ENUM;
-  if (!format) return palette_image(palette, level, width, height, border, size, data);
-  if (border != 0) return GL_INVALID_OPERATION;
-  if (const GLenum error = level_and_size(level, width, height, 0)) return error;
-  if (!is_allowed(format->sizes, width) || !is_allowed(format->sizes, height)) {
-    return GL_INVALID_OPERATION;
+  if (palette.index_bits != 0) {
+    return palette_image(palette, level, width, height, border, size, data);
   }
-  return data_of(*format, width, height, size, data);
+  if (!format) return kNoFormat.from(2);
+  if (border != 0) {
+    return {GL_INVALID_OPERATION, "{5} is not zero (3.7.3, and the extension of {2})"};
+  }
+  if (const Invalid wrong = image_level(level)) return wrong;
+  if (const Invalid wrong = image_size(level, width, height)) return wrong.from(3);
+  if (!is_allowed(format->sizes, width) || !is_allowed(format->sizes, height)) {
+    return {GL_INVALID_OPERATION,
+            "{3} or {4} is neither 1 nor 2 nor a multiple of 4 (the extension of {2})"};
+  }
+  return block_data(*format, width, height, size, data).from(6);
 }
 
-GLenum compressed_tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y,
-                                GLsizei width, GLsizei height, GLenum internal, GLsizei size,
-                                const void* data) {
+Invalid compressed_tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y,
+                                 GLsizei width, GLsizei height, GLenum internal, GLsizei size,
+                                 const void* data) {
+  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
   const CompressedFormat* format = compressed_format(internal);
-  const bool has_palette = palette_of(internal).index_bits != 0;
-  if (target != GL_TEXTURE_2D || (!format && !has_palette)) return GL_INVALID_ENUM;
-  if (has_palette) return GL_INVALID_OPERATION;  // palettes cannot be updated in part
-  if (level < 0 || level >= kTextureLevels) return GL_INVALID_VALUE;
+  if (palette_of(internal).index_bits != 0) {
+    return {GL_INVALID_OPERATION, "an image with a palette has no parts (3.7.4)"};
+  }
+  if (!format) return kNoFormat.from(6);
+  if (const Invalid wrong = image_level(level)) return wrong;
   const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
-  if (to.internal != internal) return GL_INVALID_OPERATION;
-  if (const GLenum error = rectangle_in_level(to, x, y, width, height)) return error;
+  if (to.internal != internal) {
+    return {GL_INVALID_OPERATION, "{6} is not the internal format of the texture (3.7.3)"};
+  }
+  if (const Invalid wrong = rectangle_in_level(to, x, y, width, height, 4)) return wrong;
   if (!is_allowed(format->parts, x, width, to.width) ||
       !is_allowed(format->parts, y, height, to.height)) {
-    return GL_INVALID_OPERATION;
+    return {
+        GL_INVALID_OPERATION,
+        "the rectangle at {2}, {3} is not made of whole blocks of 4x4 (3.7.3, and the extension "
+        "of {6})"};
   }
-  return data_of(*format, width, height, size, data);
+  return block_data(*format, width, height, size, data).from(7);
 }
 
 }  // namespace clearpipe::api::validate

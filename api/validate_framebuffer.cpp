@@ -9,101 +9,132 @@ namespace clearpipe::api::validate {
 
 namespace {
 
-GLenum enum_if(bool good) { return good ? GL_NO_ERROR : GL_INVALID_ENUM; }
-
-bool is_attachment_point(GLenum name) {
-  return name == GL_COLOR_ATTACHMENT0_OES || name == GL_DEPTH_ATTACHMENT_OES ||
-         name == GL_STENCIL_ATTACHMENT_OES;
+Invalid attachment_name(GLenum name) {
+  return enum_unless(name == GL_COLOR_ATTACHMENT0_OES || name == GL_DEPTH_ATTACHMENT_OES ||
+                         name == GL_STENCIL_ATTACHMENT_OES,
+                     "{0} is no attachment point (OES_framebuffer_object, 4.4.2)");
 }
 
 // 4.4.2: target and attachment, and that a framebuffer object is bound.
-GLenum attachment(const Context& c, GLenum target, GLenum name) {
-  if (target != GL_FRAMEBUFFER_OES || !is_attachment_point(name)) return GL_INVALID_ENUM;
-  return c.framebuffer ? GL_NO_ERROR : GL_INVALID_OPERATION;
+Invalid attachment(const Context& c, GLenum target, GLenum name) {
+  if (const Invalid wrong = framebuffer_target(c, target)) return wrong;
+  if (const Invalid wrong = attachment_name(name)) return wrong.from(1);
+  return operation_unless(c.framebuffer != nullptr,
+                          "the window-system framebuffer has no attachments: no framebuffer "
+                          "object is bound (OES_framebuffer_object, 4.4.2)");
+}
+
+Invalid no_renderbuffer(const Context& c) {
+  return operation_unless(c.renderbuffer != nullptr,
+                          "no renderbuffer is bound (OES_framebuffer_object, 4.4.2.1)");
 }
 
 }  // namespace
 
-GLenum framebuffer_target(const Context&, GLenum target) {
-  return enum_if(target == GL_FRAMEBUFFER_OES);
+Invalid framebuffer_target(const Context&, GLenum target) {
+  return enum_unless(target == GL_FRAMEBUFFER_OES,
+                     "{0} is not FRAMEBUFFER_OES (OES_framebuffer_object, 4.4.1)");
 }
-GLenum framebuffer_target(const Context& c, GLenum target, GLuint) {
+Invalid framebuffer_target(const Context& c, GLenum target, GLuint) {
   return framebuffer_target(c, target);
 }
 
-GLenum renderbuffer_target(const Context&, GLenum target, GLuint) {
-  return enum_if(target == GL_RENDERBUFFER_OES);
+Invalid renderbuffer_target(const Context&, GLenum target, GLuint) {
+  return enum_unless(target == GL_RENDERBUFFER_OES,
+                     "{0} is not RENDERBUFFER_OES (OES_framebuffer_object, 4.4.2.1)");
 }
 
-GLenum renderbuffer_storage(const Context& c, GLenum target, GLenum internal, GLsizei width,
-                            GLsizei height) {
-  if (target != GL_RENDERBUFFER_OES || !renderbuffer_format(internal)) return GL_INVALID_ENUM;
-  if (width < 0 || height < 0 || width > kMaxRenderbufferSize || height > kMaxRenderbufferSize) {
-    return GL_INVALID_VALUE;
+Invalid renderbuffer_storage(const Context& c, GLenum target, GLenum internal, GLsizei width,
+                             GLsizei height) {
+  if (const Invalid wrong = renderbuffer_target(c, target, 0)) return wrong;
+  if (!renderbuffer_format(internal)) {
+    return {GL_INVALID_ENUM, "{1} is no format of renderbuffers (OES_framebuffer_object, 4.4.2.1)"};
   }
-  return c.renderbuffer ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  const auto fits = [](GLsizei size) { return size >= 0 && size <= kMaxRenderbufferSize; };
+  if (!fits(width) || !fits(height)) {
+    return {GL_INVALID_VALUE,
+            "{2} or {3} is not in [0, MAX_RENDERBUFFER_SIZE] (OES_framebuffer_object, 4.4.2.1)"};
+  }
+  return no_renderbuffer(c);
 }
 
-GLenum get_renderbuffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
+Invalid get_renderbuffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
+  if (const Invalid wrong = renderbuffer_target(c, target, 0)) return wrong;
   const bool known =
       (pname >= GL_RENDERBUFFER_WIDTH_OES && pname <= GL_RENDERBUFFER_INTERNAL_FORMAT_OES) ||
       (pname >= GL_RENDERBUFFER_RED_SIZE_OES && pname <= GL_RENDERBUFFER_STENCIL_SIZE_OES);
-  if (target != GL_RENDERBUFFER_OES || !known) return GL_INVALID_ENUM;
-  return c.renderbuffer ? GL_NO_ERROR : GL_INVALID_OPERATION;
+  if (!known) {
+    return {GL_INVALID_ENUM,
+            "{1} is no parameter of renderbuffers (OES_framebuffer_object, 6.1.3)"};
+  }
+  return no_renderbuffer(c);
 }
 
-GLenum framebuffer_renderbuffer(const Context& c, GLenum target, GLenum point,
-                                GLenum renderbuffer_target, GLuint name) {
-  if (const GLenum error = attachment(c, target, point)) return error;
-  if (renderbuffer_target != GL_RENDERBUFFER_OES) return GL_INVALID_ENUM;
-  return name == 0 || c.share->renderbuffers.find(name) ? GL_NO_ERROR : GL_INVALID_OPERATION;
+Invalid framebuffer_renderbuffer(const Context& c, GLenum target, GLenum point,
+                                 GLenum renderbuffer_target, GLuint name) {
+  if (const Invalid wrong = attachment(c, target, point)) return wrong;
+  if (const Invalid wrong = validate::renderbuffer_target(c, renderbuffer_target, 0)) {
+    return wrong.from(2);
+  }
+  return operation_unless(name == 0 || c.share->renderbuffers.find(name),
+                          "{3} is no renderbuffer (OES_framebuffer_object, 4.4.2.2)");
 }
 
 // Every level may be attached (OES_fbo_render_mipmap).
-GLenum framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenum texture_target,
-                           GLuint name, GLint level) {
-  if (const GLenum error = attachment(c, target, point)) return error;
-  if (name == 0) return GL_NO_ERROR;
-  if (texture_target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
-  if (!c.share->textures.find(name)) return GL_INVALID_OPERATION;
-  return level >= 0 && level < kTextureLevels ? GL_NO_ERROR : GL_INVALID_VALUE;
+Invalid framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenum texture_target,
+                            GLuint name, GLint level) {
+  if (const Invalid wrong = attachment(c, target, point)) return wrong;
+  if (name == 0) return {};
+  if (const Invalid wrong = validate::texture_target(c, texture_target, 0)) return wrong.from(2);
+  if (!c.share->textures.find(name)) {
+    return {GL_INVALID_OPERATION, "{3} is no texture (OES_framebuffer_object, 4.4.2.3)"};
+  }
+  return value_unless(level >= 0 && level < kTextureLevels,
+                      "{4} is no level of a texture (OES_framebuffer_object, 4.4.2.3)");
 }
 
 // 6.1.3: what does not apply to the kind of attachment cannot be asked for.
-GLenum get_framebuffer_attachment_parameter(const Context& c, GLenum target, GLenum point,
-                                            GLenum pname, const GLint*) {
-  if (const GLenum error = attachment(c, target, point)) return error;
+Invalid get_framebuffer_attachment_parameter(const Context& c, GLenum target, GLenum point,
+                                             GLenum pname, const GLint*) {
+  if (const Invalid wrong = attachment(c, target, point)) return wrong;
   const Attachment& a = *attachment_point(*c.framebuffer, point);
   switch (pname) {
     case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES:
-      return GL_NO_ERROR;
+      return {};
     case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_OES:
-      return enum_if(a.renderbuffer || a.texture);
+      return enum_unless(a.renderbuffer || a.texture,
+                         "{2} does not apply: nothing is attached (OES_framebuffer_object, 6.1.3)");
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES:
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_OES:
-      return enum_if(a.texture != nullptr);
+      return enum_unless(
+          a.texture != nullptr,
+          "{2} does not apply: no texture is attached (OES_framebuffer_object, 6.1.3)");
     default:
-      return GL_INVALID_ENUM;
+      return {GL_INVALID_ENUM,
+              "{2} is no parameter of attachments (OES_framebuffer_object, 6.1.3)"};
   }
 }
 
-GLenum discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GLenum* attachments) {
-  if (target != GL_FRAMEBUFFER_OES) return GL_INVALID_ENUM;
-  if (n < 0) return GL_INVALID_VALUE;
+Invalid discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GLenum* attachments) {
+  if (const Invalid wrong = framebuffer_target(c, target)) return wrong;
+  if (n < 0) return {GL_INVALID_VALUE, "{1} is negative (EXT_discard_framebuffer)"};
   for (GLsizei i = 0; i < n; ++i) {
     const GLenum a = attachments[i];
-    const bool known = c.framebuffer
-                           ? is_attachment_point(a)
-                           : a == GL_COLOR_EXT || a == GL_DEPTH_EXT || a == GL_STENCIL_EXT;
-    if (!known) return GL_INVALID_ENUM;
+    if (c.framebuffer ? static_cast<bool>(attachment_name(a))
+                      : a != GL_COLOR_EXT && a != GL_DEPTH_EXT && a != GL_STENCIL_EXT) {
+      return {GL_INVALID_ENUM,
+              "{2} has a name that is no attachment of the framebuffer (EXT_discard_framebuffer)"};
+    }
   }
-  return GL_NO_ERROR;
+  return {};
 }
 
-GLenum generate_mipmap(const Context& c, GLenum target) {
-  if (target != GL_TEXTURE_2D) return GL_INVALID_ENUM;
+Invalid generate_mipmap(const Context& c, GLenum target) {
+  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
   const TextureLevel& base = c.active_unit().texture->level[0];
-  return base.internal == base.format ? GL_NO_ERROR : GL_INVALID_OPERATION;  // compressed
+  return operation_unless(
+      base.internal == base.format,
+      "the base level is a compressed image (OES_compressed_paletted_texture, 3.7.7)");
 }
 
 }  // namespace clearpipe::api::validate

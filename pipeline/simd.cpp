@@ -35,7 +35,8 @@ void select_simd_target() {
 
 const char* simd_target_name() {
   select_simd_target();
-  return hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets());
+  const int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
+  return hwy::TargetName(targets & -targets);
 }
 
 }  // namespace clearpipe::pipeline

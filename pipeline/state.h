@@ -259,6 +259,10 @@ struct FragmentState {
   bool logic_op_enabled = false;
   LogicOp logic_op = LogicOp::kCopy;
   uint8_t colour_mask = 0xf;  // bits R=1 G=2 B=4 A=8
+  // Of multisampled fragments (4.1.3).
+  bool alpha_to_coverage = false, alpha_to_one = false;
+  bool sample_coverage = false, sample_coverage_invert = false;
+  float sample_coverage_value = 1;
 };
 
 }  // namespace clearpipe::pipeline

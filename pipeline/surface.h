@@ -11,14 +11,23 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/raster/samples.h"
+
 namespace clearpipe::pipeline {
 
 // Tiles that hold one value throughout, written down instead of stored: a cleared tile costs no
 // memory traffic until it is drawn to or read (merge/). Buffers over the same memory share them; a
 // buffer without any stores every tile, as one over a texture must.
 struct UniformTiles {
-  std::vector<uint8_t> is_uniform;  // by tile, row-major
+  std::vector<uint8_t> is_uniform;  // by tile, row-major; one plane's tiles after another's
   std::vector<uint32_t> value;
+};
+
+// The multisample buffer that coexists with a colour buffer (3.2.1): a plane for each sample. It is
+// what fragments are drawn to; their mean is in the colour buffer whenever a frame is done.
+struct SampleBuffer {
+  std::unique_ptr<uint32_t[]> values;  // planes of width * height, one after another
+  UniformTiles uniform;
 };
 
 // The pixels as they are kept. Colour is always held as RGBA8. The memory may be that of a texture
@@ -28,12 +37,15 @@ struct ColourBuffer {
   std::shared_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
   bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
   std::shared_ptr<UniformTiles> uniform;
+  std::shared_ptr<SampleBuffer> samples;  // null: one sample, the pixel itself
 };
 
 // Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8. What the buffer does
-// not have is left as it is: another buffer may have it in the same memory.
+// not have is left as it is: another buffer may have it in the same memory. A multisampled buffer
+// is a plane for each sample, one after another.
 struct DepthStencilBuffer {
   int width = 0, height = 0;
+  int samples = 1;
   bool has_depth = true, has_stencil = true;
   std::shared_ptr<uint32_t[]> values;
   std::shared_ptr<UniformTiles> uniform;
@@ -44,12 +56,14 @@ struct DepthStencilBuffer {
 // outside the pipeline.
 void store_uniform_tiles(ColourBuffer& buffer);
 
-// Allocate with contents of zero (alpha 255 without alpha bits); null when memory does not suffice.
-std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha);
+// Allocate with contents of zero (alpha 255 without alpha bits), with 1 or kSampleCount samples;
+// null when memory does not suffice.
+std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha,
+                                                 int samples = 1);
 std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height, bool has_depth,
-                                                              bool has_stencil);
+                                                              bool has_stencil, int samples = 1);
 
-// What a frame renders to. `colour` or `depth_stencil` may be null.
+// What a frame renders to. `colour` or `depth_stencil` may be null; both have as many samples.
 struct Target {
   std::shared_ptr<ColourBuffer> colour;
   std::shared_ptr<DepthStencilBuffer> depth_stencil;
@@ -57,6 +71,11 @@ struct Target {
   // Whether coverage is found with y counted from the top, as Mesa does for window-system surfaces;
   // framebuffer objects count from the bottom (docs/architecture.md, "Mesa's coverage").
   bool mirrored = true;
+
+  int samples() const {
+    if (colour) return colour->samples ? kSampleCount : 1;
+    return depth_stencil ? depth_stencil->samples : 1;
+  }
 };
 
 }  // namespace clearpipe::pipeline

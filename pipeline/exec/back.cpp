@@ -17,27 +17,35 @@ bool covers_tile(const ClearCommand& clear, const Target& target, const Tile& ti
          (clear.rect.y1 >= tile.y + kTileHeight || clear.rect.y1 >= target.height);
 }
 
-// One clear of a tile. What replaces a plane as a whole is only noted.
+// A clear of one plane of a tile. What replaces it as a whole is only noted.
+void clear_tile_plane(const ClearCommand& clear, bool whole, const Tile& tile, uint32_t value,
+                      uint32_t mask, TilePlane& plane) {
+  if (mask == 0) return;
+  if (whole && mask == 0xffffffffu) {
+    plane.set_uniform(value);
+  } else {
+    clear_plane(clear, tile, plane.change(), value, mask);
+  }
+}
+
 void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& planes) {
   const Tile& tile = planes.tile();
   const bool whole = covers_tile(clear, target, tile);
-  const uint32_t colour = colour_clear_mask(clear);
-  const uint32_t depth_stencil = depth_stencil_clear_mask(clear);
-  if (colour != 0) {
-    if (whole && colour == 0xffffffffu) {
-      planes.colour().set_uniform(clear.colour_value);
-    } else {
-      clear_plane(clear, tile, planes.colour().change(), clear.colour_value, colour);
-    }
+  for (int s = 0; s < planes.samples(); ++s) {
+    clear_tile_plane(clear, whole, tile, clear.colour_value, colour_clear_mask(clear),
+                     planes.colour(s));
+    clear_tile_plane(clear, whole, tile, clear.depth_value << 8 | clear.stencil_value,
+                     depth_stencil_clear_mask(clear), planes.depth_stencil(s));
   }
-  if (depth_stencil != 0) {
-    const uint32_t value = clear.depth_value << 8 | clear.stencil_value;
-    if (whole && depth_stencil == 0xffffffffu) {
-      planes.depth_stencil().set_uniform(value);
-    } else {
-      clear_plane(clear, tile, planes.depth_stencil().change(), value, depth_stencil);
-    }
-  }
+}
+
+// The coverage of each sample: where it is not found at the samples, it is full (3.2.1).
+bool cover(const PrimitiveRecord& primitive, const TilePlanes& planes, Coverage* coverage) {
+  const Tile& tile = planes.tile();
+  if (primitive.multisample) return cover_samples(primitive, tile.x, tile.y, coverage);
+  if (!cover_tile(primitive, tile.x, tile.y, coverage[0])) return false;
+  std::fill_n(coverage + 1, planes.samples() - 1, coverage[0]);
+  return true;
 }
 
 bool is_whole(const Coverage& coverage) {
@@ -65,13 +73,16 @@ size_t first_visible(const std::vector<std::unique_ptr<Packet>>& packets, size_t
 
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
-              const Target& target, const TileGrid& grid, int tile_index, Tile& tile) {
-  tile.x = tile_index % grid.columns * kTileWidth;
-  tile.y = tile_index / grid.columns * kTileHeight;
-  tile.mirror_height = target.mirrored ? target.height : 0;
-  TilePlanes planes(target, tile, tile_index);
-  Coverage coverage;
-  for (size_t i = first_visible(packets, packet_count, target, tile); i < packet_count; ++i) {
+              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles) {
+  for (Tile& tile : tiles) {
+    tile.x = tile_index % grid.columns * kTileWidth;
+    tile.y = tile_index / grid.columns * kTileHeight;
+    tile.mirror_height = target.mirrored ? target.height : 0;
+  }
+  TilePlanes planes(target, tiles.data(), tile_index);
+  const int samples = planes.samples();
+  Coverage coverage[kSampleCount];
+  for (size_t i = first_visible(packets, packet_count, target, tiles[0]); i < packet_count; ++i) {
     const Packet& packet = *packets[i];
     if (packet.is_clear) {
       clear_planes(packet.clear, target, planes);
@@ -79,14 +90,18 @@ void run_back(const std::vector<DrawRecord>& draws,
     }
     for (const uint32_t index : packet.bins.tile(tile_index)) {
       const PrimitiveRecord& primitive = packet.primitives[index];
-      if (!cover_tile(primitive, tile.x, tile.y, coverage)) {
+      if (!cover(primitive, planes, coverage)) {
         continue;
       }
       const DrawRecord& draw = draws[primitive.draw];
-      planes.prepare(draw.outputs, is_whole(coverage));
+      planes.prepare(draw.outputs, std::all_of(coverage, coverage + samples, is_whole));
       PrimitivePlanes attributes;
       make_planes(draw.setup, primitive, attributes);
-      shade(*draw.program, attributes, coverage, tile);
+      if (samples > 1) {
+        shade_samples(*draw.program, attributes, coverage, tiles.data());
+      } else {
+        shade(*draw.program, attributes, coverage[0], tiles[0]);
+      }
     }
   }
   planes.store();

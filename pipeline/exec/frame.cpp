@@ -45,7 +45,7 @@ struct Frame::Impl {
   uint32_t primitive_total = 0;
 
   std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<Tile>> tiles;
+  std::vector<std::unique_ptr<SampleTiles>> tiles;
   std::atomic<size_t> cursor{0};
 
   Packet& add_packet() {
@@ -94,6 +94,7 @@ struct Frame::Impl {
         holder->target.has_depth = target.depth_stencil->has_depth;
         holder->target.has_stencil = target.depth_stencil->has_stencil;
       }
+      holder->target.multisampled = target.samples() > 1;
       program = std::move(holder);
     }
     if (programs.empty() || programs.back() != program) {
@@ -102,9 +103,13 @@ struct Frame::Impl {
     return *program;
   }
 
-  // 3.3, 3.4: antialiasing of points and lines; sprites ignore it.
+  // 3.2.1: multisample rasterization; 3.3, 3.4: antialiasing of points and lines, which sprites
+  // ignore.
   FragmentCoverage coverage_of(Primitive primitive) const {
     const bool point = primitive == Primitive::kPoints;
+    if (raster_state.multisample && target.samples() > 1) {
+      return point ? FragmentCoverage::kMultisamplePoint : FragmentCoverage::kMultisample;
+    }
     const bool line = primitive == Primitive::kLines || primitive == Primitive::kLineLoop ||
                       primitive == Primitive::kLineStrip;
     const bool smooth = (point && raster_state.point_smooth && !raster_state.point_sprite) ||
@@ -188,7 +193,7 @@ struct Frame::Impl {
       front_workers.push_back(make_front_worker());
     }
     while (tiles.size() < count) {
-      tiles.push_back(std::make_unique<Tile>());
+      tiles.push_back(std::make_unique<SampleTiles>());
     }
   }
 

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
 #include "pipeline/fragment/program.h"
+#include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
 #include "pipeline/surface.h"
 
@@ -91,9 +93,12 @@ void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const 
                Packet& packet);
 void reset_front_worker(FrontWorker& worker);
 
+// A tile for each sample of the target; only the first is used when there is one.
+using SampleTiles = std::array<Tile, kSampleCount>;
+
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
-              const Target& target, const TileGrid& grid, int tile_index, Tile& tile);
+              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles);
 
 }  // namespace clearpipe::pipeline

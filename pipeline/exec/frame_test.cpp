@@ -1,55 +1,13 @@
 // A frame as a whole: draws and clears through every stage into a surface.
 // SPDX-License-Identifier: MIT
-#include "pipeline/exec/frame.h"
-
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <vector>
+
+#include "pipeline/exec/frame_scene.h"
 
 namespace clearpipe::pipeline {
 namespace {
-
-constexpr int kWidth = 150, kHeight = 70;  // whole tiles and cut ones
-
-struct Scene {
-  Frame frame;
-  Target target;
-  VertexState vertex;
-  RasterState raster;
-  FragmentState fragment;
-
-  Scene() {
-    target.colour = make_colour_buffer(kWidth, kHeight, true);
-    target.depth_stencil = make_depth_stencil_buffer(kWidth, kHeight, true, true);
-    target.width = kWidth;
-    target.height = kHeight;
-    frame.set_target(target);
-    raster.viewport = {kWidth / 2.0f, kHeight / 2.0f, 0.5f, kWidth / 2.0f, kHeight / 2.0f, 0.5f};
-    raster.scissor = {0, 0, kWidth, kHeight};
-  }
-
-  void draw(const std::vector<float>& xyz, Vec4 colour) {
-    frame.set_vertex_state(vertex);
-    frame.set_raster_state(raster);
-    frame.set_fragment_state(fragment);
-    DrawCommand command;
-    command.count = static_cast<uint32_t>(xyz.size() / 3);
-    for (AttributeSource& source : command.attributes) source.constant = {0, 0, 0, 1};
-    auto& position = command.attributes[static_cast<int>(Attribute::kPosition)];
-    position.is_array = true;
-    position.size = 3;
-    position.stride = 12;
-    position.pointer = reinterpret_cast<const std::byte*>(xyz.data());
-    command.attributes[static_cast<int>(Attribute::kColour)].constant = colour;
-    ASSERT_TRUE(frame.draw(command));
-  }
-
-  uint32_t pixel(int x, int y) const {
-    store_uniform_tiles(*target.colour);
-    return target.colour->pixels[y * kWidth + x];
-  }
-};
 
 const std::vector<float> kWholeView = {-1, -1, 0, 3, -1, 0, -1, 3, 0};
 

@@ -27,7 +27,7 @@ Tile shade_region(const SmoothRegion& region, float x, float y, int tile_x = 0) 
   planes.y_ref = y;
   planes.region = region;
   planes.flat_colour = true;
-  for (Plane& plane : planes.colour) plane = {1, 0, 0};
+  for (Plane& plane : planes.colour) plane = {kColourOne, 0, 0};
   Coverage coverage;
   std::fill(std::begin(coverage.rows), std::end(coverage.rows), ~uint64_t{0});
   coverage.first_row = 0;

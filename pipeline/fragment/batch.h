@@ -8,12 +8,13 @@
 
 #include <cstdint>
 
+#include "pipeline/fragment/program.h"
+#include "pipeline/raster/samples.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::pipeline {
 
 inline constexpr int kBatchSize = 128;
-inline constexpr int16_t kColourOne = 1 << 13;
 
 // An 8-bit colour component as the nearest fixed-point value.
 constexpr int16_t colour_from_unorm8(int v) {
@@ -33,7 +34,9 @@ struct FragmentBatch {
   // With anisotropic filtering: the longer derivative of (s, t), and the number of samples on it.
   alignas(64) float along_s[kBatchSize], along_t[kBatchSize], probes[kBatchSize];
 
-  alignas(64) int16_t live[kBatchSize];                   // -1: the fragment lives; 0: discarded
+  alignas(64) int16_t live[kBatchSize];  // -1: the fragment lives; 0: discarded
+  // The coverage of a fragment on a multisampled target, as far as its samples live (4.1.10).
+  alignas(64) int16_t sample_live[kSampleCount][kBatchSize];
   alignas(64) int16_t coverage[kBatchSize];               // of antialiased points and lines
   alignas(64) uint16_t offset[kBatchSize];                // index into the tile's planes
   alignas(64) uint32_t stored_depth_stencil[kBatchSize];  // gathered from the tile

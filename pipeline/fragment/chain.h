@@ -37,7 +37,7 @@ using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePl
 struct FragmentProgram {
   FusedFunction fused = nullptr;  // null: the chain
   FragmentInputs inputs;
-  std::array<ChainStep, 12 + 2 * kMaxTextureUnits> steps;
+  std::array<ChainStep, 14 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
 
   bool early_depth = false;  // the depth test runs on rows, before batches are filled
@@ -56,6 +56,10 @@ struct FragmentProgram {
   bool has_logic_op = false;
   LogicOp logic_op = LogicOp::kCopy;
   uint32_t colour_mask = 0xffffffffu;  // bits of a packed colour that may change
+  // On a multisampled target.
+  bool samples_apart = false;  // the samples are at their places, not all at the centre
+  bool alpha_to_coverage = false, alpha_to_one = false;
+  uint8_t sample_mask = kAllSamples;  // bit s: sample s may be covered (SAMPLE_COVERAGE)
   std::array<UnitProgram, kMaxTextureUnits> unit;
 };
 

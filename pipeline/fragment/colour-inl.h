@@ -1,5 +1,6 @@
 // Colour arithmetic of the fragment stages: signed 16-bit lanes with 13 fraction bits, and the
-// exact conversion from and to 8 bits. SPDX-License-Identifier: MIT
+// exact conversion from and to 8 bits.
+// SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_COLOUR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_COLOUR_INL_H_
 #undef CLEARPIPE_FRAGMENT_COLOUR_INL_H_
@@ -39,14 +40,20 @@ HWY_INLINE V clamp_colour(D d, V c) {
   return hn::Min(hn::Max(c, hn::Zero(d)), hn::Set(d, kColourOne));
 }
 
+// The nearest integer, ties to even, of a float clamped to [0, kColourOne]; NaN becomes 0, as Max
+// takes its second parameter then. Adding 1.5 * 2^23 leaves that integer in the low mantissa bits.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> round_colour(DF df, VF scaled) {
+  const hn::RebindToSigned<DF> di;
+  const VF magic = hn::Set(df, 12582912.0f);
+  const VF clamped = hn::Min(hn::Max(scaled, hn::Zero(df)), hn::Set(df, float{kColourOne}));
+  return hn::Sub(hn::BitCast(di, hn::Add(clamped, magic)), hn::BitCast(di, magic));
+}
+
 // A float in [0, 1] (anything else is clamped, NaN to 0) as a colour in 32 bits.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> to_wide_colour(DF df, VF f) {
-  const auto zero = hn::Zero(df);
-  const auto one = hn::Set(df, 1.0f);
-  f = hn::IfThenElse(hn::Gt(f, zero), f, zero);
-  f = hn::IfThenElse(hn::Lt(f, one), f, one);
-  return hn::NearestInt(hn::Mul(f, hn::Set(df, float{kColourOne})));
+  return round_colour(df, hn::Mul(f, hn::Set(df, float{kColourOne})));
 }
 
 // The same in 16 bits, for the 16-bit tag of as many lanes as the float tag.

@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "pipeline/fragment/batch.h"
+#include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/compare-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
 
@@ -28,12 +29,15 @@ struct DepthState {
   CompareFunc func = CompareFunc::kAlways;
 };
 
-// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1).
+inline DepthState depth_state(const FragmentProgram& program) {
+  return {program.depth_test, program.depth_write, program.depth_func};
+}
+
+// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1). NaN becomes 0, as Max takes
+// its second parameter then.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, V z) {
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  z = hn::IfThenElse(hn::Gt(z, zero), z, zero);
-  z = hn::IfThenElse(hn::Lt(z, one), z, one);
+  z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
   return hn::NearestInt(hn::Mul(z, hn::Set(d, 16777215.0f)));
 }
 
@@ -104,30 +108,31 @@ HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, cons
   return passes;
 }
 
-// The tests over a batch; fragments that fail die.
-inline void depth_stencil_stage(const PrimitivePlanes& planes, const StencilState& stencil,
-                                const DepthState& depth, FragmentBatch& batch) {
+// The tests over a batch on the values in stored_depth_stencil; what fails dies.
+inline void depth_stencil_stage(const Plane& plane, const StencilState& stencil,
+                                const DepthState& depth, FragmentBatch& batch, int16_t* lives) {
   const hn::ScalableTag<float> df;
   const hn::RebindToSigned<decltype(df)> d;
   const hn::Rebind<int16_t, decltype(d)> d16;
   auto* stored = reinterpret_cast<int32_t*>(batch.stored_depth_stencil);
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto live = hn::Ne(hn::PromoteTo(d, hn::Load(d16, batch.live + i)), hn::Zero(d));
+    const auto live = hn::Ne(hn::PromoteTo(d, hn::Load(d16, lives + i)), hn::Zero(d));
     auto value = hn::Zero(d);
     if (depth.test) {
-      value = depth_value(df, planes.depth, hn::Load(df, batch.x + i), hn::Load(df, batch.y + i));
+      value = depth_value(df, plane, hn::Load(df, batch.x + i), hn::Load(df, batch.y + i));
     }
     auto packed = hn::Load(d, stored + i);
     const auto passes = depth_stencil_test(d, stencil, depth, live, value, packed);
     hn::Store(packed, d, stored + i);
-    hn::Store(hn::DemoteTo(d16, hn::VecFromMask(d, passes)), d16, batch.live + i);
+    hn::Store(hn::DemoteTo(d16, hn::VecFromMask(d, passes)), d16, lives + i);
   }
 }
 
 // The depth test of whole rows before anything else is computed (4.1.5 allows no difference to be
-// seen): pixels that fail leave the coverage. Values are read and written in the tile.
-inline void early_depth(const PrimitivePlanes& planes, const DepthState& depth, Tile& tile,
-                        Coverage& coverage) {
+// seen): pixels that fail leave the coverage. Values are read and written in the tile. `plane` is
+// the depth, relative to the reference of `planes`.
+inline void early_depth(const PrimitivePlanes& planes, const Plane& plane, const DepthState& depth,
+                        Tile& tile, Coverage& coverage) {
   const hn::ScalableTag<float> df;
   const hn::RebindToSigned<decltype(df)> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -147,8 +152,8 @@ inline void early_depth(const PrimitivePlanes& planes, const DepthState& depth, 
       const auto column =
           hn::Add(hn::ConvertTo(df, hn::Iota(d, tile.x + x)), hn::Set(df, 0.5f - planes.x_ref));
       auto packed = hn::Load(d, stored + x);
-      const auto passes = depth_stencil_test(d, no_stencil, depth, live,
-                                             depth_value(df, planes.depth, column, y), packed);
+      const auto passes =
+          depth_stencil_test(d, no_stencil, depth, live, depth_value(df, plane, column, y), packed);
       if (depth.write) hn::Store(packed, d, stored + x);
       uint8_t bytes[8] = {};
       hn::StoreMaskBits(d, passes, bytes);

@@ -34,7 +34,7 @@ class FusedLoop {
         planes_(planes),
         tile_(tile),
         tests_(program.depth_test || program.stencil.enabled),
-        depth_{program.depth_test, program.depth_write, program.depth_func},
+        depth_(depth_state(program)),
         unit0_(program, planes, tile, 0),
         unit1_(program, planes, tile, 1) {
     opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled;
@@ -42,7 +42,7 @@ class FusedLoop {
              program.fog_mode == FogMode::kNone && !program.alpha_test;
     if (planes.flat_colour) {
       for (int c = 0; c < 4; ++c) {
-        const VecI value = to_wide_colour(TagF(), hn::Set(TagF(), planes.colour[c].value));
+        const VecI value = round_colour(TagF(), hn::Set(TagF(), planes.colour[c].value));
         flat_.channel[c] = narrow({value, value});
       }
     }
@@ -149,7 +149,7 @@ class FusedLoop {
     Colour16 colour;
     for (int c = 0; c < 4; ++c) {
       const Pair<VecF> value = colour_[c].at(x);
-      colour.channel[c] = narrow_colour(planes_.perspective ? multiply(value, w) : value);
+      colour.channel[c] = narrow_scaled(planes_.perspective ? multiply(value, w) : value);
     }
     return colour;
   }

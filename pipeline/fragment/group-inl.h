@@ -53,6 +53,12 @@ HWY_INLINE Vec16 narrow_colour(const Pair<VecF>& f) {
   return narrow({to_wide_colour(d, f.lower), to_wide_colour(d, f.upper)});
 }
 
+// The same of colours that are scaled already, as colour planes are.
+HWY_INLINE Vec16 narrow_scaled(const Pair<VecF>& f) {
+  const TagF d;
+  return narrow({round_colour(d, f.lower), round_colour(d, f.upper)});
+}
+
 // A 16-bit mask vector (all bits or none) as masks of both halves.
 HWY_INLINE Pair<MaskI> widen_mask(Vec16 mask) {
   const TagI d;

@@ -46,7 +46,7 @@ inline void interpolate_colour(const PrimitivePlanes& planes, FragmentBatch& bat
       if (planes.perspective && !planes.flat_colour) {
         value = hn::Mul(value, hn::Load(d, batch.w + i));
       }
-      const auto colour = to_colour(d16, d, value);
+      const auto colour = hn::DemoteTo(d16, round_colour(d, value));
       hn::Store(colour, d16, batch.primary[c] + i);
       hn::Store(colour, d16, batch.previous[c] + i);
     }

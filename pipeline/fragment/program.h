@@ -8,10 +8,14 @@
 
 #include <cstdint>
 
+#include "pipeline/raster/samples.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::pipeline {
+
+// 1.0 in the fixed point of the fragment stages' colours (fragment/colour-inl.h).
+inline constexpr int16_t kColourOne = 1 << 13;
 
 // A linear function of window position (3.5.1): value + dx * (x - x_ref) + dy * (y - y_ref), where
 // (x_ref, y_ref) belongs to the primitive. Evaluated exactly in this order, so that the result
@@ -51,7 +55,7 @@ struct PrimitivePlanes {
   Plane depth;                 // window z, [0,1], polygon offset added (clamped per fragment)
   Plane inv_w;
   Plane fog;                           // fog coordinate
-  Plane colour[4];                     // r, g, b, a
+  Plane colour[4];                     // r, g, b, a, in units of 1 / kColourOne
   Plane texture[kMaxTextureUnits][4];  // s, t, r, q; set for enabled units
 };
 
@@ -61,6 +65,7 @@ struct FragmentProgram;  // opaque outside fragment/
 // owned by the caller's arena through destroy_fragment_program.
 struct FragmentTarget {
   bool has_depth = false, has_stencil = false;
+  bool multisampled = false;  // then the program is for shade_samples
 };
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage);
@@ -84,5 +89,9 @@ FragmentOutputs fragment_outputs(const FragmentProgram& program);
 // Shades the pixels in `coverage`; colour and depth/stencil of `tile` are updated in place.
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,
            Tile& tile);
+
+// The same for a multisampled target: coverage and a tile for each sample.
+void shade_samples(const FragmentProgram& program, const PrimitivePlanes& planes,
+                   const Coverage coverage[kSampleCount], Tile tiles[kSampleCount]);
 
 }  // namespace clearpipe::pipeline

@@ -1,7 +1,7 @@
 // The choice of a program for a fragment state: the stages it needs, in order, and their constants.
 //
-// The depth and stencil tests come after the alpha test (4.1.3 to 4.1.5), but nothing can be seen
-// of their place when the alpha test is off: then they come first, and what they discard is never
+// The depth and stencil tests come after the alpha test (4.1.4 to 4.1.6), but nothing can be seen
+// of their place when alpha discards nothing: then they come first, and what they discard is never
 // textured. A depth test alone goes further and runs on whole rows of coverage.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
@@ -67,6 +67,23 @@ bool fused_allowed() {
   return text == nullptr || std::strcmp(text, "0") != 0;
 }
 
+// Whether alpha decides what is tested against depth and stencil (4.1.3, 4.1.4).
+bool discards_by_alpha(const FragmentProgram& program) {
+  return program.alpha_test || program.alpha_to_coverage;
+}
+
+// Multisample fragment operations (4.1.3). As in the reference, sample s of n is in the coverage
+// value v if s < floor(n * v): the section leaves the function open.
+void set_multisample(const FragmentState& state, FragmentProgram& program) {
+  program.samples_apart = true;
+  program.alpha_to_coverage = state.alpha_to_coverage;
+  program.alpha_to_one = state.alpha_to_one;
+  if (!state.sample_coverage) return;
+  const int covered = static_cast<int>(state.sample_coverage_value * kSampleCount);
+  const uint32_t mask = (1u << covered) - 1;
+  program.sample_mask = (state.sample_coverage_invert ? ~mask : mask) & kAllSamples;
+}
+
 void select_stages(const FragmentState& state, FragmentCoverage coverage,
                    FragmentProgram& program) {
   const auto add = [&](FragmentStage stage, int unit = 0) {
@@ -77,10 +94,11 @@ void select_stages(const FragmentState& state, FragmentCoverage coverage,
   program.uses_depth_stencil = tests_in_chain;
   const bool smooth = coverage == FragmentCoverage::kSmooth;
   if (smooth) add(FragmentStage::smooth_coverage);
-  if (tests_in_chain && !state.alpha_test) add(FragmentStage::test_depth_stencil);
+  const bool tests_first = tests_in_chain && !discards_by_alpha(program);
+  if (tests_first) add(FragmentStage::test_depth_stencil);
 
   const bool colour = program.colour_mask != 0;
-  if (colour || state.alpha_test) {
+  if (colour || discards_by_alpha(program)) {
     program.inputs.colour = true;
     add(FragmentStage::interpolate_w);
     add(FragmentStage::interpolate_colour);
@@ -98,11 +116,11 @@ void select_stages(const FragmentState& state, FragmentCoverage coverage,
     }
     if (smooth) add(FragmentStage::apply_coverage);
     if (coverage == FragmentCoverage::kMultisamplePoint) add(FragmentStage::fade_point);
+    if (program.alpha_to_coverage) add(FragmentStage::alpha_to_coverage);
+    if (program.alpha_to_one) add(FragmentStage::alpha_to_one);
   }
-  if (state.alpha_test) {
-    add(FragmentStage::alpha_test);
-    if (tests_in_chain) add(FragmentStage::test_depth_stencil);
-  }
+  if (state.alpha_test) add(FragmentStage::alpha_test);
+  if (tests_in_chain && !tests_first) add(FragmentStage::test_depth_stencil);
   if (!colour) return;
   add(FragmentStage::pack_colour);
   if (state.logic_op_enabled) {
@@ -123,10 +141,11 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
   program->inputs.depth = program->depth_test;
   program->stencil = state.stencil;
   program->stencil.enabled = state.stencil.enabled && target.has_stencil;
-  // An antialiased fragment that covers nothing must not be tested, so its coverage comes first.
-  program->early_depth = program->depth_test && !program->stencil.enabled && !state.alpha_test &&
-                         coverage != FragmentCoverage::kSmooth;
   program->alpha_test = state.alpha_test;
+  if (is_multisample(coverage)) set_multisample(state, *program);
+  // An antialiased fragment that covers nothing must not be tested, so its coverage comes first.
+  program->early_depth = program->depth_test && !program->stencil.enabled &&
+                         !discards_by_alpha(*program) && coverage != FragmentCoverage::kSmooth;
   program->antialiased = coverage == FragmentCoverage::kSmooth;
   program->alpha_func = state.alpha_func;
   program->alpha_reference = static_cast<int16_t>(std::nearbyint(state.alpha_reference * 255.0f));
@@ -140,7 +159,9 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
   }
   select_stages(state, coverage, *program);
   static const bool allowed = fused_allowed();
-  if (allowed && !program->antialiased) program->fused = select_fused(*program);
+  if (allowed && !program->antialiased && !target.multisampled) {
+    program->fused = select_fused(*program);
+  }
   return program;
 }
 
@@ -156,7 +177,8 @@ FragmentOutputs fragment_outputs(const FragmentProgram& program) {
   outputs.depth_stencil_write = program.depth_write || stencil;
   outputs.replaces = program.colour_mask == 0xffffffffu && !outputs.depth_stencil_read &&
                      !program.alpha_test && !program.blend.enabled && !program.has_logic_op &&
-                     !program.antialiased;
+                     !program.antialiased && !program.alpha_to_coverage &&
+                     program.sample_mask == kAllSamples;
   return outputs;
 }
 

@@ -32,7 +32,7 @@ struct Bench {
   }
 
   void set_colour(const Colour& c) {
-    for (int i = 0; i < 4; ++i) planes.colour[i] = {static_cast<float>(c[i]), 0, 0};
+    for (int i = 0; i < 4; ++i) planes.colour[i] = {static_cast<float>(c[i]) * kColourOne, 0, 0};
   }
 
   void run() {
@@ -68,8 +68,8 @@ TEST(Shade, ColourFollowsItsPlaneAndPerspective) {
   bench.planes.perspective = true;
   bench.planes.x_ref = 3.25f;
   bench.planes.inv_w = {0.5f, 0.03f, 0};
-  bench.planes.colour[0] = {0.1f, 0.02f, 0};
-  bench.planes.colour[3] = {0.5f, 0.03f, 0};
+  bench.planes.colour[0] = {0.1f * kColourOne, 0.02f * kColourOne, 0};
+  bench.planes.colour[3] = {0.5f * kColourOne, 0.03f * kColourOne, 0};
   bench.run();
   for (int x = 0; x < 64; ++x) {
     const double dx = x + 0.5 - 3.25;

@@ -74,13 +74,13 @@ inline void logic_op_stage(LogicOp op, FragmentBatch& batch) {
 }
 
 // Dead fragments and masked components keep what is stored.
-inline void mask_stage(uint32_t colour_mask, FragmentBatch& batch) {
+inline void mask_stage(uint32_t colour_mask, FragmentBatch& batch, const int16_t* lives) {
   const hn::ScalableTag<uint32_t> d;
   const hn::RebindToSigned<decltype(d)> di;
   const hn::Rebind<int16_t, decltype(d)> d16;
   const auto writable = hn::Set(d, colour_mask);
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto live = hn::BitCast(d, hn::PromoteTo(di, hn::Load(d16, batch.live + i)));
+    const auto live = hn::BitCast(d, hn::PromoteTo(di, hn::Load(d16, lives + i)));
     const auto change = hn::And(live, writable);
     const auto stored = hn::Load(d, batch.stored_colour + i);
     hn::Store(hn::Or(hn::And(hn::Load(d, batch.colour + i), change), hn::AndNot(change, stored)), d,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <new>
 
 namespace clearpipe::pipeline {
 
@@ -54,59 +53,47 @@ void fill_plane(uint32_t* plane, const Rect& part, uint32_t value, uint32_t mask
   }
 }
 
-std::shared_ptr<UniformTiles> no_uniform_tiles(int width, int height) {
-  const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
-  const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
-  auto tiles = std::make_shared<UniformTiles>();
-  tiles->is_uniform.resize(columns * rows);
-  tiles->value.resize(columns * rows);
-  return tiles;
+// The samples' mean (4.1.10), rounded to nearest. Two components of a pixel at a time, in the
+// halves of a word.
+void resolve_samples(const Tile* tiles, uint32_t* mean) {
+  static_assert(kSampleCount == 4);
+  constexpr uint32_t kHalves = 0x00ff00ffu, kRounding = 0x00020002u;
+  for (int i = 0; i < kTileHeight * kTileWidth; ++i) {
+    uint32_t rb = kRounding, ga = kRounding;
+    for (int s = 0; s < kSampleCount; ++s) {
+      rb += tiles[s].colour[i] & kHalves;
+      ga += tiles[s].colour[i] >> 8 & kHalves;
+    }
+    mean[i] = (rb >> 2 & kHalves) | (ga >> 2 & kHalves) << 8;
+  }
 }
+
+// Where the plane of a sample, and its part of the uniform tiles, begin.
+struct PlaneOfSample {
+  size_t offset, tile;
+
+  PlaneOfSample(int width, int height, int sample, size_t tile_index)
+      : offset(static_cast<size_t>(width) * height * sample) {
+    const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
+    const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
+    tile = columns * rows * sample + tile_index;
+  }
+};
 
 }  // namespace
 
-std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha) try {
-  auto buffer = std::make_shared<ColourBuffer>();
-  buffer->width = width;
-  buffer->height = height;
-  buffer->has_alpha = has_alpha;
-  buffer->uniform = no_uniform_tiles(width, height);
-  const size_t count = static_cast<size_t>(width) * height;
-  buffer->pixels = std::make_shared<uint32_t[]>(count);
-  if (!has_alpha) {
-    std::fill_n(buffer->pixels.get(), count, 0xff000000u);
-  }
-  return buffer;
-} catch (const std::bad_alloc&) {
-  return nullptr;
-}
-
-std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height, bool has_depth,
-                                                              bool has_stencil) try {
-  auto buffer = std::make_shared<DepthStencilBuffer>();
-  buffer->width = width;
-  buffer->height = height;
-  buffer->has_depth = has_depth;
-  buffer->has_stencil = has_stencil;
-  buffer->uniform = no_uniform_tiles(width, height);
-  buffer->values = std::make_shared<uint32_t[]>(static_cast<size_t>(width) * height);
-  return buffer;
-} catch (const std::bad_alloc&) {
-  return nullptr;
-}
-
-TilePlane::TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, int tile_index,
+TilePlane::TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, size_t index,
                      const Tile& tile, uint32_t* out)
     : plane_(plane),
       width_(width),
       height_(height),
       uniform_(uniform),
-      tile_index_(static_cast<size_t>(tile_index)),
-      tile_(tile),
+      index_(index),
+      tile_(&tile),
       out_(out) {
-  if (uniform_ != nullptr && uniform_->is_uniform[tile_index_] != 0) {
+  if (uniform_ != nullptr && uniform_->is_uniform[index_] != 0) {
     state_ = State::kUniform;
-    value_ = uniform_->value[tile_index_];
+    value_ = uniform_->value[index_];
   }
 }
 
@@ -120,7 +107,7 @@ void TilePlane::load() {
   if (state_ == State::kUniform) {
     std::fill_n(out_, kTileWidth * kTileHeight, value_);
   } else if (state_ == State::kStored && plane_ != nullptr) {
-    load_plane(plane_, width_, height_, tile_, out_);
+    load_plane(plane_, width_, height_, *tile_, out_);
   }
   state_ = State::kLoaded;
 }
@@ -128,44 +115,79 @@ void TilePlane::load() {
 void TilePlane::store() {
   if (!changed_ || plane_ == nullptr) return;
   if (uniform_ != nullptr) {
-    uniform_->is_uniform[tile_index_] = state_ == State::kUniform;
+    uniform_->is_uniform[index_] = state_ == State::kUniform;
     if (state_ == State::kUniform) {
-      uniform_->value[tile_index_] = value_;
+      uniform_->value[index_] = value_;
       return;
     }
   }
   load();
-  store_plane(out_, tile_, width_, height_, plane_);
+  store_plane(out_, *tile_, width_, height_, plane_);
 }
 
-TilePlanes::TilePlanes(const Target& target, Tile& tile, int tile_index)
-    : tile_(tile),
-      colour_(target.colour ? target.colour->pixels.get() : nullptr,
-              target.colour ? target.colour->width : 0, target.colour ? target.colour->height : 0,
-              target.colour ? target.colour->uniform.get() : nullptr, tile_index, tile,
-              tile.colour),
-      depth_stencil_(target.depth_stencil ? target.depth_stencil->values.get() : nullptr,
-                     target.depth_stencil ? target.depth_stencil->width : 0,
-                     target.depth_stencil ? target.depth_stencil->height : 0,
-                     target.depth_stencil ? target.depth_stencil->uniform.get() : nullptr,
-                     tile_index, tile, tile.depth_stencil) {}
-
-void store_uniform_tiles(ColourBuffer& buffer) {
-  if (!buffer.uniform) return;
-  UniformTiles& tiles = *buffer.uniform;
-  const int columns = (buffer.width + kTileWidth - 1) / kTileWidth;
-  for (size_t i = 0; i < tiles.is_uniform.size(); ++i) {
-    if (tiles.is_uniform[i] == 0) continue;
-    tiles.is_uniform[i] = 0;
-    const int x = static_cast<int>(i) % columns * kTileWidth;
-    const int y = static_cast<int>(i) / columns * kTileHeight;
-    const int width = std::min(buffer.width - x, kTileWidth);
-    const int end = std::min(buffer.height, y + kTileHeight);
-    for (int row = y; row < end; ++row) {
-      std::fill_n(buffer.pixels.get() + static_cast<size_t>(row) * buffer.width + x, width,
-                  tiles.value[i]);
+TilePlanes::TilePlanes(const Target& target, Tile* tiles, int tile_index)
+    : target_(target),
+      tiles_(tiles),
+      tile_index_(static_cast<size_t>(tile_index)),
+      samples_(target.samples()) {
+  for (int s = 0; s < samples_; ++s) {
+    Tile& tile = tiles[s];
+    if (const ColourBuffer* to = target.colour.get()) {
+      const PlaneOfSample at(to->width, to->height, s, tile_index_);
+      colour_[s] = to->samples
+                       ? TilePlane(to->samples->values.get() + at.offset, to->width, to->height,
+                                   &to->samples->uniform, at.tile, tile, tile.colour)
+                       : TilePlane(to->pixels.get(), to->width, to->height, to->uniform.get(),
+                                   tile_index_, tile, tile.colour);
+    }
+    if (const DepthStencilBuffer* to = target.depth_stencil.get()) {
+      const PlaneOfSample at(to->width, to->height, s, tile_index_);
+      depth_stencil_[s] = TilePlane(to->values.get() + at.offset, to->width, to->height,
+                                    to->uniform.get(), at.tile, tile, tile.depth_stencil);
     }
   }
+}
+
+void TilePlanes::prepare(const FragmentOutputs& outputs, bool whole_tile) {
+  for (int s = 0; s < samples_; ++s) {
+    if (outputs.replaces && whole_tile) {
+      colour_[s].overwrite();
+    } else if (outputs.colour) {
+      colour_[s].change();
+    }
+    if (outputs.depth_stencil_write) {
+      depth_stencil_[s].change();
+    } else if (outputs.depth_stencil_read) {
+      depth_stencil_[s].load();
+    }
+  }
+}
+
+void TilePlanes::store() {
+  if (samples_ > 1 && target_.colour) resolve();
+  for (int s = 0; s < samples_; ++s) {
+    colour_[s].store();
+    depth_stencil_[s].store();
+  }
+}
+
+void TilePlanes::resolve() {
+  const auto first = colour_.begin(), end = first + samples_;
+  if (std::none_of(first, end, [](const TilePlane& p) { return p.changed(); })) return;
+  const ColourBuffer& to = *target_.colour;
+  alignas(64) uint32_t mean[kTileHeight * kTileWidth];
+  TilePlane pixels(to.pixels.get(), to.width, to.height, to.uniform.get(), tile_index_, *tiles_,
+                   mean);
+  if (std::all_of(first, end, [&](const TilePlane& p) {
+        return p.is_uniform() && p.uniform_value() == first->uniform_value();
+      })) {
+    pixels.set_uniform(first->uniform_value());
+  } else {
+    std::for_each(first, end, [](TilePlane& p) { p.load(); });
+    pixels.overwrite();
+    resolve_samples(tiles_, mean);
+  }
+  pixels.store();
 }
 
 uint32_t colour_clear_mask(const ClearCommand& clear) {

@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "pipeline/command.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
@@ -14,11 +17,16 @@ namespace clearpipe::pipeline {
 // tile) is written out only when something draws to it.
 class TilePlane {
  public:
-  // `plane` is the surface's, null when the target has none; `out` is the tile's.
-  TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, int tile_index,
+  // One of a surface that is not there.
+  TilePlane() = default;
+  // `plane` is the surface's, `out` the tile's; `index` is that of the plane's tile in `uniform`.
+  TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, size_t index,
             const Tile& tile, uint32_t* out);
 
   void set_uniform(uint32_t value);
+  bool is_uniform() const { return state_ == State::kUniform; }
+  uint32_t uniform_value() const { return value_; }
+  bool changed() const { return changed_; }
 
   // Makes the tile's memory hold the plane, to be read.
   void load();
@@ -41,47 +49,42 @@ class TilePlane {
  private:
   enum class State : uint8_t { kStored, kUniform, kLoaded };
 
-  uint32_t* plane_;
-  int width_, height_;
-  UniformTiles* uniform_;
-  size_t tile_index_;
-  const Tile& tile_;
-  uint32_t* out_;
+  uint32_t* plane_ = nullptr;
+  int width_ = 0, height_ = 0;
+  UniformTiles* uniform_ = nullptr;
+  size_t index_ = 0;
+  const Tile* tile_ = nullptr;
+  uint32_t* out_ = nullptr;
   State state_ = State::kStored;
   bool changed_ = false;
   uint32_t value_ = 0;  // in kUniform
 };
 
+// The planes of a tile: colour and depth/stencil of each sample. Of a multisampled target, the mean
+// of the samples goes into the colour buffer (4.1.10).
 class TilePlanes {
  public:
-  TilePlanes(const Target& target, Tile& tile, int tile_index);
+  // `tiles` are as many as the target has samples.
+  TilePlanes(const Target& target, Tile* tiles, int tile_index);
 
-  const Tile& tile() const { return tile_; }
-  TilePlane& colour() { return colour_; }
-  TilePlane& depth_stencil() { return depth_stencil_; }
+  int samples() const { return samples_; }
+  const Tile& tile() const { return *tiles_; }
+  TilePlane& colour(int sample) { return colour_[sample]; }
+  TilePlane& depth_stencil(int sample) { return depth_stencil_[sample]; }
 
   // Before something is shaded, perhaps over the whole tile.
-  void prepare(const FragmentOutputs& outputs, bool whole_tile) {
-    if (outputs.replaces && whole_tile) {
-      colour_.overwrite();
-    } else if (outputs.colour) {
-      colour_.change();
-    }
-    if (outputs.depth_stencil_write) {
-      depth_stencil_.change();
-    } else if (outputs.depth_stencil_read) {
-      depth_stencil_.load();
-    }
-  }
+  void prepare(const FragmentOutputs& outputs, bool whole_tile);
 
-  void store() {
-    colour_.store();
-    depth_stencil_.store();
-  }
+  void store();
 
  private:
-  const Tile& tile_;
-  TilePlane colour_, depth_stencil_;
+  void resolve();
+
+  const Target& target_;
+  Tile* tiles_;
+  size_t tile_index_;
+  int samples_;
+  std::array<TilePlane, kSampleCount> colour_, depth_stencil_;
 };
 
 // Applies glClear to the part of a tile's plane inside the command's rectangle (4.2.3): the bits of

@@ -10,6 +10,7 @@
 namespace clearpipe::pipeline {
 
 inline constexpr int kSampleCount = 4;
+inline constexpr uint8_t kAllSamples = (1 << kSampleCount) - 1;
 
 struct SamplePlace {
   int32_t x, y;  // subpixels (raster/edge.h) from the pixel's centre, y upwards

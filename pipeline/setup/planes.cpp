@@ -63,6 +63,11 @@ Basis line_basis(const SetupState& state, const PrimitiveRecord& p) {
   return basis;
 }
 
+// What has one colour needs no interpolation, whatever the shade model.
+bool same_colour(const float* a, const float* b, const float* c) {
+  return std::equal(a, a + 4, b) && std::equal(a, a + 4, c);
+}
+
 // 3.3.1, 3.4.2: what an antialiased point or line covers.
 SmoothRegion smooth_region(const SetupState& state, const PrimitiveRecord& p) {
   if (p.kind == PrimitiveKind::kPoint) {
@@ -132,9 +137,12 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
   if (state.inputs.colour) {
     const int offset =
         p.back_facing && state.two_sided ? state.layout.back_colour_offset : vertex_record::kColour;
-    out.flat_colour = state.raster.flat_shade || p.kind == PrimitiveKind::kPoint;
+    out.flat_colour = state.raster.flat_shade || p.kind == PrimitiveKind::kPoint ||
+                      same_colour(v[0] + offset, v[1] + offset, v[2] + offset);
     for (int i = 0; i < 4; ++i) {
-      out.colour[i] = out.flat_colour ? Plane{provoking[offset + i], 0, 0} : varying(offset + i);
+      Plane& plane = out.colour[i];
+      plane = out.flat_colour ? Plane{provoking[offset + i], 0, 0} : varying(offset + i);
+      plane = {plane.value * kColourOne, plane.dx * kColourOne, plane.dy * kColourOne};
     }
   }
   if (state.inputs.fog) {

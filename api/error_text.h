@@ -1,0 +1,16 @@
+// The words of an error: the call with its arguments, and the rule that one of them breaks.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "api/debug.h"
+#include "api/invalid.h"
+
+namespace clearpipe::api {
+
+std::string error_text(const CallText& call, const std::vector<Argument>& arguments,
+                       const Invalid& wrong);
+
+}  // namespace clearpipe::api
