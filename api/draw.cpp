@@ -4,11 +4,52 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
+#include "api/draw.h"
 #include "api/egl_image.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+
+namespace clearpipe::api {
+
+namespace {
+
+// A bound texture may have been changed here or through another context.
+void notice_changed_textures(Context& c) {
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& unit = c.state.texture.unit[u];
+    if (!unit.enabled) continue;
+    refresh(*unit.texture);
+    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
+    if (samples_its_target(c, *unit.texture)) {
+      c.note_slow(Slow::kSamplesTarget);
+      c.finish_frame();  // the draw samples what the level holds now
+      c.dirty |= kDirtyFragment;
+    }
+  }
+}
+
+}  // namespace
+
+void update_draw_state(Context& c) {
+  update_targets(c);
+  notice_changed_textures(c);
+  if (c.dirty & kDirtyVertex) derive_vertex(c);
+  if (c.dirty & kDirtyRaster) derive_raster(c);
+  if (c.dirty & kDirtyFragment) derive_fragment(c);
+  c.dirty = 0;
+}
+
+void note_texture_uses(Context& c) {
+  note_drawn_image(c);
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (c.fragment_state.unit[u].enabled) note_uses(c, *c.state.texture.unit[u].texture);
+  }
+}
+
+}  // namespace clearpipe::api
 
 namespace clearpipe::api::exec {
 
@@ -84,36 +125,9 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   return true;
 }
 
-// A bound texture may have been changed here or through another context.
-void notice_changed_textures(Context& c) {
-  for (size_t u = 0; u < kTextureUnits; ++u) {
-    const TextureUnitState& unit = c.state.texture.unit[u];
-    if (!unit.enabled) continue;
-    refresh(*unit.texture);
-    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
-    if (samples_its_target(c, *unit.texture)) {
-      c.note_slow(Slow::kSamplesTarget);
-      c.finish_frame();  // the draw samples what the level holds now
-      c.dirty |= kDirtyFragment;
-    }
-  }
-}
-
-void update_state(Context& c) {
-  update_targets(c);
-  notice_changed_textures(c);
-  if (c.dirty & kDirtyVertex) derive_vertex(c);
-  if (c.dirty & kDirtyRaster) derive_raster(c);
-  if (c.dirty & kDirtyFragment) derive_fragment(c);
-  c.dirty = 0;
-}
-
 // What the draw reads when the frame is executed.
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
-  note_drawn_image(c);
-  for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (c.fragment_state.unit[u].enabled) note_uses(c, *c.state.texture.unit[u].texture);
-  }
+  note_texture_uses(c);
   const ArraysState& a = c.state.arrays;
   auto note = [&c](const ArrayState& array) {
     if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
@@ -142,7 +156,7 @@ uint32_t unorm8(float value) { return static_cast<uint32_t>(std::nearbyint(value
 
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (count == 0) return;
-  update_state(c);
+  update_draw_state(c);
   pipeline::DrawCommand command;
   command.first = static_cast<uint32_t>(first);
   command.count = static_cast<uint32_t>(count);
@@ -151,7 +165,7 @@ void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
 
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (count == 0) return;
-  update_state(c);
+  update_draw_state(c);
   pipeline::DrawCommand command;
   command.count = static_cast<uint32_t>(count);
   command.index_type = type == GL_UNSIGNED_BYTE    ? pipeline::IndexType::kUnsignedByte
@@ -217,7 +231,6 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                  GLenum type, void* pixels) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
-  pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t bytes = static_cast<int64_t>(read_bytes(format, type));
@@ -225,19 +238,25 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
+  const int count = static_cast<int>(x1 - x0);
+  std::vector<uint32_t> rgba(format == GL_RGBA ? 0 : static_cast<size_t>(count));
   // Pixels outside of the surface are undefined: they are left alone (4.3.1).
   for (int64_t row = 0; row < height; ++row) {
     const int64_t from_y = y + row;
     if (from_y < 0 || from_y >= from.height) continue;
     std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
-    const uint32_t* pixel = from.pixels.get() + from_y * from.width + x0;
+    const auto read = [&](void* out) {
+      pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(from_y), count, out);
+    };
     if (format == GL_RGBA) {
-      std::memcpy(to, pixel, static_cast<size_t>(x1 - x0) * 4);
+      read(to);
       continue;
     }
-    for (int64_t i = x0; i < x1; ++i, to += bytes) {
-      const uint32_t packed = pack_bgra(*pixel++, type);
+    read(rgba.data());
+    for (const uint32_t pixel : rgba) {
+      const uint32_t packed = pack_bgra(pixel, type);
       std::memcpy(to, &packed, static_cast<size_t>(bytes));
+      to += bytes;
     }
   }
 }

@@ -91,13 +91,11 @@ ImageError share_renderbuffer(const Context& c, GLuint name, EglImagePtr& out) {
   out->renderbuffer_internal = renderbuffer->internal;
   out->depth_stencil = renderbuffer->depth_stencil;
   if (renderbuffer->colour) {
-    // Textures read the memory alone: every tile must be stored in it.
-    auto stored = std::make_shared<pipeline::ColourBuffer>(*renderbuffer->colour);
-    pipeline::store_uniform_tiles(*stored);
-    stored->uniform = nullptr;
-    out->internal = out->format = stored->has_alpha ? GL_RGBA : GL_RGB;
-    out->memory = stored->pixels;
-    renderbuffer->colour = std::move(stored);
+    auto rows = std::make_shared<pipeline::ColourBuffer>(*renderbuffer->colour);
+    if (!pipeline::lay_out_in_rows(*rows)) return ImageError::kBadAlloc;
+    out->internal = out->format = rows->has_alpha ? GL_RGBA : GL_RGB;
+    out->memory = rows->pixels;
+    renderbuffer->colour = std::move(rows);
   }
   renderbuffer->sibling = out;
   return ImageError::kNone;

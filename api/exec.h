@@ -133,6 +133,8 @@ void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void
 void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
 void multi_draw_elements(Context&, GLenum mode, const GLsizei* count, GLenum type,
                          const void* const* indices, GLsizei n);
+// draw_texture.cpp
+void draw_texture(Context&, float x, float y, float z, float width, float height);
 // exec_debug.cpp
 void debug_message_control(Context&, GLenum source, GLenum type, GLenum severity, GLsizei count,
                            const GLuint* ids, GLboolean enabled);

@@ -54,6 +54,9 @@ void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
     case GL_TEXTURE_MAX_ANISOTROPY_EXT:
       texture.max_anisotropy = p.number();
       break;
+    case GL_TEXTURE_CROP_RECT_OES:
+      for (int i = 0; i < 4; ++i) texture.crop_rect[i] = p.integer(i);
+      break;
     default:
       texture.generate_mipmap = p.boolean();
       break;

@@ -71,8 +71,9 @@ struct TextureObject {
   GLenum wrap_s = GL_REPEAT;
   GLenum wrap_t = GL_REPEAT;
   bool generate_mipmap = false;
-  GLint max_level = 1000;    // APPLE_texture_max_level
-  float max_anisotropy = 1;  // EXT_texture_filter_anisotropic, as set
+  GLint max_level = 1000;             // APPLE_texture_max_level
+  float max_anisotropy = 1;           // EXT_texture_filter_anisotropic, as set
+  GLint crop_rect[4] = {0, 0, 0, 0};  // OES_draw_texture
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;

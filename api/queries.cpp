@@ -152,7 +152,8 @@ Invalid get_tex_parameter(const Context& c, GLenum target, GLenum pname, const O
   if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
   return enum_unless(pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
                          pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
-                         pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
+                         pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_CROP_RECT_OES ||
+                         pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
                          pname == GL_TEXTURE_MAX_ANISOTROPY_EXT,
                      "{1} is no parameter of textures (6.1.3, table 6.14)");
 }
@@ -347,6 +348,9 @@ void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
       break;
     case GL_TEXTURE_WRAP_T:
       out.enumerant(0, t.wrap_t);
+      break;
+    case GL_TEXTURE_CROP_RECT_OES:
+      put_integer(out, {t.crop_rect[0], t.crop_rect[1], t.crop_rect[2], t.crop_rect[3]});
       break;
     case GL_TEXTURE_MAX_LEVEL_APPLE:
       out.integer(0, t.max_level);

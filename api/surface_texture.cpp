@@ -5,20 +5,21 @@
 // SPDX-License-Identifier: MIT
 #include "api/surface_texture.h"
 
-#include <algorithm>
-
 #include "api/texture_levels.h"
 
 namespace clearpipe::api {
 
 namespace {
 
-pipeline::ImageLevel level_of(pipeline::ColourBuffer& from, bool alpha) {
+pipeline::ImageLevel level_of(const pipeline::ColourBuffer& from, bool alpha) {
   pipeline::ImageLevel level = make_level(from.width, from.height);
-  pipeline::store_uniform_tiles(from);
-  const uint32_t opaque = alpha ? 0 : 0xff000000u;
-  std::transform(from.pixels.get(), from.pixels.get() + level.texels.size(), level.texels.begin(),
-                 [opaque](uint32_t colour) { return colour | opaque; });
+  for (int y = 0; y < from.height; ++y) {
+    pipeline::read_pixels(from, 0, y, from.width,
+                          level.texels.data() + static_cast<ptrdiff_t>(y) * from.width);
+  }
+  if (!alpha) {
+    for (uint32_t& texel : level.texels) texel |= 0xff000000u;
+  }
   return level;
 }
 

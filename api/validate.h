@@ -105,6 +105,7 @@ Invalid read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height,
                     GLenum type, const void*);
 Invalid draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 Invalid draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
+Invalid draw_texture(const Context&, float x, float y, float z, float width, float height);
 // validate_framebuffer.cpp
 Invalid framebuffer_target(const Context&, GLenum target);
 Invalid framebuffer_target(const Context&, GLenum target, GLuint);

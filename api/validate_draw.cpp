@@ -164,6 +164,12 @@ Invalid draw_elements(const Context& c, GLenum mode, GLsizei count, GLenum type,
   return drawn_arrays(c);
 }
 
+Invalid draw_texture(const Context& c, float, float, float, float width, float height) {
+  if (!(width > 0)) return {GL_INVALID_VALUE, "{3} is not positive (OES_draw_texture)"};
+  if (!(height > 0)) return {GL_INVALID_VALUE, "{4} is not positive (OES_draw_texture)"};
+  return drawn_framebuffer(c);
+}
+
 // As so many single draws, those with nothing to draw left out; none is drawn if one may not be.
 Invalid multi_draw_arrays(const Context& c, GLenum mode, const GLint* first, const GLsizei* count,
                           GLsizei n) {

@@ -60,6 +60,8 @@ Invalid tex_parameter(const Context& c, GLenum target, GLenum pname, const Param
           "{2} is no wrap mode (3.7.5, table 3.13)");
     case GL_GENERATE_MIPMAP:
       return {};
+    case GL_TEXTURE_CROP_RECT_OES:
+      return vector_only(p, 1);
     case GL_TEXTURE_MAX_LEVEL_APPLE:
       return value_unless(p.integer() >= 0, "{2} is negative (APPLE_texture_max_level)");
     case GL_TEXTURE_MAX_ANISOTROPY_EXT:
