@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <iostream>
 #include <regex>
 #include <span>
 #include <string>
@@ -46,7 +47,25 @@ class ErrorTest : public CallTest {
         this);
   }
 
+  // Whatever a test has bound: the surface is as it was, and so is the texture.
+  void TearDown() override {
+    glDisable(GL_DEBUG_OUTPUT_KHR);
+    glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0);
+    make_current(context_, target_, target_);
+    EXPECT_EQ(pixel(8, 8), 0u) << "the surface has changed";
+    glBindVertexArrayOES(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindTexture(GL_TEXTURE_2D, 1);
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    draw_quad();
+    EXPECT_EQ(pixel(8, 8), kGreen) << "the texture has changed";
+    std::cout << "errors: " << cases_ << " cases\n";
+    CallTest::TearDown();
+  }
+
   void expect_refused(std::span<const ErrorCase> cases) {
+    cases_ += cases.size();
     const std::vector<Answers> before = ask_all();
     for (const ErrorCase& c : cases) {
       c.call();
@@ -58,15 +77,10 @@ class ErrorTest : public CallTest {
       message_.clear();
       EXPECT_ERROR(GL_NO_ERROR) << c.text;
     }
-    EXPECT_EQ(pixel(8, 8), 0u);
-    glEnable(GL_TEXTURE_2D);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    draw_quad();
-    EXPECT_EQ(pixel(8, 8), kGreen) << "the texture has changed";
   }
 
   std::string message_;  // of the last error
+  size_t cases_ = 0;
   // Something to point to where the call must not look.
   static inline GLfloat f[16] = {};
   static inline GLfixed x[16] = {};
