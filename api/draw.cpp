@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "api/draw.h"
 #include "api/exec.h"
@@ -228,7 +229,6 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                  GLenum type, void* pixels) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
-  pipeline::store_uniform_tiles(*c.read.colour);
   const pipeline::ColourBuffer& from = *c.read.colour;
   const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t bytes = static_cast<int64_t>(read_bytes(format, type));
@@ -236,19 +236,25 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
+  const int count = static_cast<int>(x1 - x0);
+  std::vector<uint32_t> rgba(format == GL_RGBA ? 0 : static_cast<size_t>(count));
   // Pixels outside of the surface are undefined: they are left alone (4.3.1).
   for (int64_t row = 0; row < height; ++row) {
     const int64_t from_y = y + row;
     if (from_y < 0 || from_y >= from.height) continue;
     std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
-    const uint32_t* pixel = from.pixels.get() + from_y * from.width + x0;
+    const auto read = [&](void* out) {
+      pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(from_y), count, out);
+    };
     if (format == GL_RGBA) {
-      std::memcpy(to, pixel, static_cast<size_t>(x1 - x0) * 4);
+      read(to);
       continue;
     }
-    for (int64_t i = x0; i < x1; ++i, to += bytes) {
-      const uint32_t packed = pack_bgra(*pixel++, type);
+    read(rgba.data());
+    for (const uint32_t pixel : rgba) {
+      const uint32_t packed = pack_bgra(pixel, type);
       std::memcpy(to, &packed, static_cast<size_t>(bytes));
+      to += bytes;
     }
   }
 }

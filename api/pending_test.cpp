@@ -196,8 +196,9 @@ TEST_F(Pending, DestroyingTheContextExecutesWhatIsPending) {
   draw_quad();
   destroy_context(other);
   EXPECT_EQ(current_context(), nullptr);
-  pipeline::store_uniform_tiles(*target.colour);
-  EXPECT_EQ(target.colour->pixels[0], kRed);
+  uint32_t pixel = 0;
+  pipeline::read_pixels(*target.colour, 0, 0, 1, &pixel);
+  EXPECT_EQ(pixel, kRed);
   glClear(GL_COLOR_BUFFER_BIT);  // without a context: nothing
 }
 

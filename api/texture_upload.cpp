@@ -41,15 +41,18 @@ uint32_t reduce(uint32_t colour, GLenum format) {
 
 void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
                        int yoffset, int x, int y, int width, int height) {
-  pipeline::store_uniform_tiles(*c.read.colour);
+  // Pixels outside of the surface are undefined: they leave the texel as it is.
   const pipeline::ColourBuffer& from = *c.read.colour;
-  for (int64_t j = 0; j < height; ++j) {
-    for (int64_t i = 0; i < width; ++i) {
-      // Pixels outside of the surface are undefined: they leave the texel as it is.
-      if (x + i < 0 || x + i >= from.width || y + j < 0 || y + j >= from.height) continue;
-      to.texels[static_cast<size_t>((yoffset + j) * to.width + xoffset + i)] =
-          reduce(from.pixels[static_cast<size_t>((y + j) * from.width + x + i)], format);
-    }
+  const int64_t x0 = std::max<int64_t>(x, 0);
+  const int64_t x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
+  const int64_t y0 = std::max<int64_t>(y, 0);
+  const int64_t y1 = std::min<int64_t>(static_cast<int64_t>(y) + height, from.height);
+  if (x0 >= x1) return;
+  for (int64_t row = y0; row < y1; ++row) {
+    uint32_t* out = to.texels.data() + (yoffset + row - y) * to.width + xoffset + (x0 - x);
+    const int count = static_cast<int>(x1 - x0);
+    pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, out);
+    std::transform(out, out + count, out, [format](uint32_t p) { return reduce(p, format); });
   }
 }
 

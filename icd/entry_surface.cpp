@@ -70,11 +70,12 @@ bool make_target(Surface& surface) {
   const int width = std::max(surface.width, 1), height = std::max(surface.height, 1);
   target.width = surface.width;
   target.height = surface.height;
-  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0);
+  const int samples = std::max(config.samples, 1);
+  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0, samples);
   if (!target.colour) return false;
   if (config.depth > 0 || config.stencil > 0) {
-    target.depth_stencil =
-        pipeline::make_depth_stencil_buffer(width, height, config.depth > 0, config.stencil > 0);
+    target.depth_stencil = pipeline::make_depth_stencil_buffer(width, height, config.depth > 0,
+                                                               config.stencil > 0, samples);
     if (!target.depth_stencil) return false;
   }
   return true;
@@ -248,8 +249,14 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       surface->mipmap_level = value;
       break;
     case EGL_MULTISAMPLE_RESOLVE:
-      if (value == EGL_MULTISAMPLE_RESOLVE_BOX) return fail(EGL_BAD_MATCH, EGL_FALSE);
-      if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      // The box is the default here too.
+      if (value == EGL_MULTISAMPLE_RESOLVE_BOX && surface->config->samples == 0) {
+        return fail(EGL_BAD_MATCH, EGL_FALSE);
+      }
+      if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT && value != EGL_MULTISAMPLE_RESOLVE_BOX) {
+        return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      }
+      surface->multisample_resolve = value;
       break;
     case EGL_SWAP_BEHAVIOR:
       if (value != EGL_BUFFER_PRESERVED && value != EGL_BUFFER_DESTROYED) {

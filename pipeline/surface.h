@@ -1,6 +1,10 @@
 // The memory a frame is drawn into: colour and depth/stencil planes owned by a drawable or a
 // framebuffer object.
 //
+// Planes are laid out in tiles: tile after tile, row-major, each whole, with its rows of kTileWidth
+// (raster/tile.h). A worker then shades in the surface's own memory, and one tile is one stretch of
+// it. Only a colour buffer over a texture is laid out in rows, as sampling has it.
+//
 // Rows run from y = 0 at the bottom, as OpenGL ES counts window coordinates (2.10.1); a platform
 // that shows rows top-down flips when it presents.
 // SPDX-License-Identifier: MIT
@@ -16,8 +20,7 @@
 namespace clearpipe::pipeline {
 
 // Tiles that hold one value throughout, written down instead of stored: a cleared tile costs no
-// memory traffic until it is drawn to or read (merge/). Buffers over the same memory share them; a
-// buffer without any stores every tile, as one over a texture must.
+// memory traffic until it is drawn to (merge/). Buffers over the same memory share them.
 struct UniformTiles {
   std::vector<uint8_t> is_uniform;  // by tile, row-major; one plane's tiles after another's
   std::vector<uint32_t> value;
@@ -26,7 +29,7 @@ struct UniformTiles {
 // The multisample buffer that coexists with a colour buffer (3.2.1): a plane for each sample. It is
 // what fragments are drawn to; their mean is in the colour buffer whenever a frame is done.
 struct SampleBuffer {
-  std::unique_ptr<uint32_t[]> values;  // planes of width * height, one after another
+  std::shared_ptr<uint32_t[]> values;  // planes, one after another
   UniformTiles uniform;
 };
 
@@ -34,9 +37,9 @@ struct SampleBuffer {
 // level, which then is drawn to and sampled without a copy: `pixels` keeps the image alive.
 struct ColourBuffer {
   int width = 0, height = 0;
-  std::shared_ptr<uint32_t[]> pixels;  // R in the low byte, row-major, width * height
-  bool has_alpha = true;               // else alpha stays 255 in memory: it reads as 1
-  std::shared_ptr<UniformTiles> uniform;
+  std::shared_ptr<uint32_t[]> pixels;     // R in the low byte
+  bool has_alpha = true;                  // else alpha stays 255 in memory: it reads as 1
+  std::shared_ptr<UniformTiles> uniform;  // null: laid out in rows of `width`
   std::shared_ptr<SampleBuffer> samples;  // null: one sample, the pixel itself
 };
 
@@ -52,9 +55,17 @@ struct DepthStencilBuffer {
   bool partial_view = false;  // the memory holds planes that this buffer does not have
 };
 
-// Stores what is only written down, so that `pixels` can be read: before any look at them from
-// outside the pipeline.
-void store_uniform_tiles(ColourBuffer& buffer);
+// Copies `count` pixels of row y, from x on, all inside the buffer, to `out`, which may be aligned
+// in any way. No frame may be drawing to the buffer.
+void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out);
+
+// Lays out the buffer in rows, as memory that is shared with a texture must be; does nothing when
+// it is. False, and no change, when memory does not suffice.
+bool lay_out_in_rows(ColourBuffer& buffer);
+
+// How many tiles a plane takes, and where in them a pixel is.
+size_t tile_count(int width, int height);
+size_t place_in_tiles(int width, int x, int y);
 
 // Allocate with contents of zero (alpha 255 without alpha bits), with 1 or kSampleCount samples;
 // null when memory does not suffice.

@@ -74,15 +74,16 @@ size_t first_visible(const std::vector<std::unique_ptr<Packet>>& packets, size_t
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
               const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles) {
-  for (Tile& tile : tiles) {
+  for (Tile& tile : tiles.tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;
     tile.y = tile_index / grid.columns * kTileHeight;
     tile.mirror_height = target.mirrored ? target.height : 0;
   }
-  TilePlanes planes(target, tiles.data(), tile_index);
+  TilePlanes planes(target, tiles, tile_index);
   const int samples = planes.samples();
   Coverage coverage[kSampleCount];
-  for (size_t i = first_visible(packets, packet_count, target, tiles[0]); i < packet_count; ++i) {
+  for (size_t i = first_visible(packets, packet_count, target, planes.tile()); i < packet_count;
+       ++i) {
     const Packet& packet = *packets[i];
     if (packet.is_clear) {
       clear_planes(packet.clear, target, planes);
@@ -98,9 +99,9 @@ void run_back(const std::vector<DrawRecord>& draws,
       PrimitivePlanes attributes;
       make_planes(draw.setup, primitive, attributes);
       if (samples > 1) {
-        shade_samples(*draw.program, attributes, coverage, tiles.data());
+        shade_samples(*draw.program, attributes, coverage, tiles.tiles.data());
       } else {
-        shade(*draw.program, attributes, coverage[0], tiles[0]);
+        shade(*draw.program, attributes, coverage[0], tiles.tiles[0]);
       }
     }
   }

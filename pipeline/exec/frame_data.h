@@ -93,9 +93,6 @@ void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const 
                Packet& packet);
 void reset_front_worker(FrontWorker& worker);
 
-// A tile for each sample of the target; only the first is used when there is one.
-using SampleTiles = std::array<Tile, kSampleCount>;
-
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,

@@ -49,8 +49,9 @@ struct Scene {
   }
 
   uint32_t pixel(int x, int y) const {
-    store_uniform_tiles(*target.colour);
-    return target.colour->pixels[y * kWidth + x];
+    uint32_t value = 0;
+    read_pixels(*target.colour, x, y, 1, &value);
+    return value;
   }
 };
 

@@ -287,13 +287,11 @@ class Drawing {
 
 // What the target holds for a sample, written down or stored.
 uint32_t stored_sample(const ColourBuffer& buffer, int x, int y, int sample) {
-  constexpr int kColumns = (kWidth + kTileWidth - 1) / kTileWidth;
-  constexpr int kTiles = kColumns * ((kHeight + kTileHeight - 1) / kTileHeight);
   const UniformTiles& uniform = buffer.samples->uniform;
-  const size_t tile =
-      static_cast<size_t>(sample * kTiles + y / kTileHeight * kColumns + x / kTileWidth);
-  if (uniform.is_uniform[tile] != 0) return uniform.value[tile];
-  return buffer.samples->values[static_cast<size_t>((sample * kHeight + y) * kWidth + x)];
+  const size_t place =
+      sample * tile_count(kWidth, kHeight) * kTilePixels + place_in_tiles(kWidth, x, y);
+  const size_t tile = place / kTilePixels;
+  return uniform.is_uniform[tile] != 0 ? uniform.value[tile] : buffer.samples->values[place];
 }
 
 TEST(MultisampledFrame, EqualsTheOracle) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "pipeline/fragment/own_tile.h"
 #include "pipeline/fragment/program.h"
 
 namespace clearpipe::pipeline {
@@ -19,8 +20,8 @@ struct Place {
 };
 
 // A tile of white fragments with alpha 1, each with the coverage of the region as its alpha.
-Tile shade_region(const SmoothRegion& region, float x, float y, int tile_x = 0) {
-  Tile tile{};
+OwnTile shade_region(const SmoothRegion& region, float x, float y, int tile_x = 0) {
+  OwnTile tile;
   tile.x = tile_x;
   PrimitivePlanes planes;
   planes.x_ref = x;
@@ -81,7 +82,7 @@ TEST(Antialias, LinesCoverTheirRectangle) {
     if (round % 5 == 3) dy = dx * 1e-4f;
     if (round % 5 == 4) dx = dy * 1e-5f;
     const float width = round % 2 == 0 ? 1.0f : static_cast<float>(width_of(random));
-    const Tile tile = shade_region({false, 0.5f * width, dx, dy}, x, y);
+    const OwnTile tile = shade_region({false, 0.5f * width, dx, dy}, x, y);
     const double length = std::hypot(dx, dy);
     const double nx = -dy / length * width / 2, ny = dx / length * width / 2;
     const std::vector<Place> rectangle = {
@@ -117,7 +118,7 @@ TEST(Antialias, PointsCoverTheirCircle) {
     const float width = round % 3 == 0   ? 1.0f
                         : round % 3 == 1 ? 1 + static_cast<float>(width_of(random)) / 40
                                          : static_cast<float>(width_of(random));
-    const Tile tile = shade_region({true, 0.5f * width, 0, 0}, x, y);
+    const OwnTile tile = shade_region({true, 0.5f * width, 0, 0}, x, y);
     for (int j = 0; j < kTileHeight; ++j) {
       for (int i = 0; i < kTileWidth; ++i) {
         ASSERT_NEAR(alpha(tile, i, j), 255 * circle_in_square(x, y, width / 2, i, j),
@@ -137,7 +138,7 @@ TEST(Antialias, WhatIsNotCoveredIsNotTested) {
   planes.x_ref = planes.y_ref = 10;
   planes.region = {true, 4, 0, 0};
   planes.depth = {1, 0, 0};
-  Tile tile{};
+  OwnTile tile;
   Coverage coverage;
   std::fill(std::begin(coverage.rows), std::end(coverage.rows), ~uint64_t{0});
   coverage.first_row = 0;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <random>
 
+#include "pipeline/fragment/own_tile.h"
 #include "pipeline/fragment/program.h"
 
 namespace clearpipe::pipeline {
@@ -26,7 +27,7 @@ Program make_program(const FragmentState& state, bool multisampled, FragmentCove
 struct Bench {
   FragmentState state;
   PrimitivePlanes planes;
-  std::array<Tile, kSampleCount> tiles{};
+  std::array<OwnTile, kSampleCount> tiles;
   std::array<Coverage, kSampleCount> coverage;
   FragmentCoverage kind = FragmentCoverage::kMultisample;
 
@@ -41,11 +42,13 @@ struct Bench {
 
   void set_colour(double r, double g, double b, double a) {
     const double c[4] = {r, g, b, a};
-    for (int i = 0; i < 4; ++i) planes.colour[i] = {static_cast<float>(c[i]), 0, 0};
+    for (int i = 0; i < 4; ++i) planes.colour[i] = {static_cast<float>(c[i]) * kColourOne, 0, 0};
   }
 
   void run() {
-    shade_samples(*make_program(state, true, kind), planes, coverage.data(), tiles.data());
+    std::array<Tile, kSampleCount> views;
+    std::copy(tiles.begin(), tiles.end(), views.begin());
+    shade_samples(*make_program(state, true, kind), planes, coverage.data(), views.data());
   }
 
   // Which samples of a pixel were written, one bit each, where the tiles were zero.
@@ -107,7 +110,8 @@ TEST(Multisample, SamplesAreTreatedAsPixelsAre) {
     const float change = round % 2 == 0 ? 0 : 0.01f;
     bench.planes.flat_colour = change == 0;
     for (Plane& plane : bench.planes.colour) {
-      plane = {static_cast<float>(random() & 255) / 255, change, -change};
+      plane = {static_cast<float>(random() & 255) / 255 * kColourOne, change * kColourOne,
+               -change * kColourOne};
     }
     // Multiples of 8 steps of depth, so that the places of the samples are whole numbers of them.
     constexpr float kStep = 8.0f / 16777216;
@@ -126,7 +130,7 @@ TEST(Multisample, SamplesAreTreatedAsPixelsAre) {
     const bool apart = round % 3 != 0;
     bench.kind = apart ? FragmentCoverage::kMultisample : FragmentCoverage::kCentre;
 
-    std::array<Tile, kSampleCount> expected = bench.tiles;
+    std::array<OwnTile, kSampleCount> expected = bench.tiles;
     const Program pixel_program = make_program(bench.state, false, FragmentCoverage::kCentre);
     for (int s = 0; s < kSampleCount; ++s) {
       PrimitivePlanes planes = bench.planes;

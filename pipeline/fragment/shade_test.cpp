@@ -12,6 +12,8 @@
 #include <memory>
 #include <random>
 
+#include "pipeline/fragment/own_tile.h"
+
 namespace clearpipe::pipeline {
 namespace {
 
@@ -20,7 +22,7 @@ using Colour = std::array<double, 4>;
 struct Bench {
   FragmentState state;
   PrimitivePlanes planes;
-  Tile tile{};
+  OwnTile tile;
   Coverage coverage{};
   FragmentCoverage coverage_kind = FragmentCoverage::kCentre;
 
@@ -314,7 +316,7 @@ TEST(Shade, LogicOperationsFollowTheirTruthTables) {
     bench.set_colour({0x33 / 255.0, 0x0f / 255.0, 0xff / 255.0, 0x55 / 255.0});
     const uint32_t source = pack({0x33, 0x0f, 0xff, 0x55});
     for (int x = 0; x < 64; ++x) bench.tile.colour[x] = 0x9e3779b9u * static_cast<uint32_t>(x + 1);
-    const auto before = std::to_array(bench.tile.colour);
+    const auto before = std::to_array(bench.tile.memory.colour);
     bench.run();
     for (int x = 0; x < 64; ++x) {
       uint32_t expected = 0;

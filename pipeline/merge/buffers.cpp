@@ -1,8 +1,8 @@
-// Making colour and depth/stencil buffers, and storing what they only have written down: see
-// surface.h.
+// Making colour and depth/stencil buffers, and reading what they hold: see surface.h.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <new>
 
 #include "pipeline/raster/tile.h"
@@ -12,20 +12,36 @@ namespace clearpipe::pipeline {
 
 namespace {
 
+// Vectors are loaded from tiles as they lie.
+constexpr size_t kAlignment = 64;
+
+// Not initialised: tiles that are noted as uniform are written before they are read.
+std::shared_ptr<uint32_t[]> allocate_tiles(size_t count) {
+  const size_t bytes = count * kTilePixels * sizeof(uint32_t);
+  auto* memory = static_cast<uint32_t*>(operator new (bytes, std::align_val_t{kAlignment}));
+  return {memory, [](uint32_t* p) { operator delete (p, std::align_val_t{kAlignment}); }};
+}
+
+UniformTiles all_uniform(size_t count, uint32_t value) {
+  UniformTiles tiles;
+  tiles.is_uniform.resize(count, 1);
+  tiles.value.resize(count, value);
+  return tiles;
+}
+
+}  // namespace
+
 size_t tile_count(int width, int height) {
   const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
   const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
   return columns * rows;
 }
 
-UniformTiles no_uniform_tiles(size_t count) {
-  UniformTiles tiles;
-  tiles.is_uniform.resize(count);
-  tiles.value.resize(count);
-  return tiles;
+size_t place_in_tiles(int width, int x, int y) {
+  const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
+  const size_t tile = static_cast<size_t>(y / kTileHeight) * columns + x / kTileWidth;
+  return tile * kTilePixels + static_cast<size_t>(y % kTileHeight) * kTileWidth + x % kTileWidth;
 }
-
-}  // namespace
 
 std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has_alpha,
                                                  int samples) try {
@@ -34,19 +50,13 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   buffer->height = height;
   buffer->has_alpha = has_alpha;
   const size_t tiles = tile_count(width, height);
-  buffer->uniform = std::make_shared<UniformTiles>(no_uniform_tiles(tiles));
-  const size_t count = static_cast<size_t>(width) * height;
-  buffer->pixels = std::make_shared<uint32_t[]>(count);
-  if (!has_alpha) {
-    std::fill_n(buffer->pixels.get(), count, 0xff000000u);
-  }
+  const uint32_t initial = has_alpha ? 0 : 0xff000000u;
+  buffer->uniform = std::make_shared<UniformTiles>(all_uniform(tiles, initial));
+  buffer->pixels = allocate_tiles(tiles);
   if (samples > 1) {
     buffer->samples = std::make_shared<SampleBuffer>();
-    buffer->samples->values = std::make_unique_for_overwrite<uint32_t[]>(samples * count);
-    UniformTiles& uniform = buffer->samples->uniform;
-    uniform = no_uniform_tiles(samples * tiles);
-    std::fill(uniform.is_uniform.begin(), uniform.is_uniform.end(), uint8_t{1});
-    std::fill(uniform.value.begin(), uniform.value.end(), has_alpha ? 0 : 0xff000000u);
+    buffer->samples->values = allocate_tiles(samples * tiles);
+    buffer->samples->uniform = all_uniform(samples * tiles, initial);
   }
   return buffer;
 } catch (const std::bad_alloc&) {
@@ -61,30 +71,52 @@ std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int hei
   buffer->samples = samples;
   buffer->has_depth = has_depth;
   buffer->has_stencil = has_stencil;
-  buffer->uniform =
-      std::make_shared<UniformTiles>(no_uniform_tiles(samples * tile_count(width, height)));
-  buffer->values = std::make_shared<uint32_t[]>(static_cast<size_t>(width) * height * samples);
+  const size_t tiles = samples * tile_count(width, height);
+  buffer->uniform = std::make_shared<UniformTiles>(all_uniform(tiles, 0));
+  buffer->values = allocate_tiles(tiles);
   return buffer;
 } catch (const std::bad_alloc&) {
   return nullptr;
 }
 
-void store_uniform_tiles(ColourBuffer& buffer) {
-  if (!buffer.uniform) return;
-  UniformTiles& tiles = *buffer.uniform;
-  const int columns = (buffer.width + kTileWidth - 1) / kTileWidth;
-  for (size_t i = 0; i < tiles.is_uniform.size(); ++i) {
-    if (tiles.is_uniform[i] == 0) continue;
-    tiles.is_uniform[i] = 0;
-    const int x = static_cast<int>(i) % columns * kTileWidth;
-    const int y = static_cast<int>(i) / columns * kTileHeight;
-    const int width = std::min(buffer.width - x, kTileWidth);
-    const int end = std::min(buffer.height, y + kTileHeight);
-    for (int row = y; row < end; ++row) {
-      std::fill_n(buffer.pixels.get() + static_cast<size_t>(row) * buffer.width + x, width,
-                  tiles.value[i]);
-    }
+void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out) {
+  auto* to = static_cast<std::byte*>(out);
+  const auto copy = [&to](const uint32_t* from, int pixels) {
+    const size_t bytes = static_cast<size_t>(pixels) * sizeof(uint32_t);
+    std::memcpy(to, from, bytes);
+    to += bytes;
+  };
+  if (!buffer.uniform) {
+    copy(buffer.pixels.get() + static_cast<size_t>(y) * buffer.width + x, count);
+    return;
   }
+  for (int end = x + count; x < end;) {
+    const int part = std::min(kTileWidth - x % kTileWidth, end - x);
+    const size_t place = place_in_tiles(buffer.width, x, y);
+    const size_t tile = place / kTilePixels;
+    if (buffer.uniform->is_uniform[tile] != 0) {
+      uint32_t row[kTileWidth];
+      std::fill_n(row, part, buffer.uniform->value[tile]);
+      copy(row, part);
+    } else {
+      copy(buffer.pixels.get() + place, part);
+    }
+    x += part;
+  }
+}
+
+bool lay_out_in_rows(ColourBuffer& buffer) try {
+  if (!buffer.uniform) return true;
+  const size_t width = static_cast<size_t>(buffer.width);
+  auto rows = std::make_shared_for_overwrite<uint32_t[]>(width * buffer.height);
+  for (int y = 0; y < buffer.height; ++y) {
+    read_pixels(buffer, 0, y, buffer.width, rows.get() + y * width);
+  }
+  buffer.pixels = std::move(rows);
+  buffer.uniform = nullptr;
+  return true;
+} catch (const std::bad_alloc&) {
+  return false;
 }
 
 }  // namespace clearpipe::pipeline

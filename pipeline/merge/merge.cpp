@@ -22,7 +22,7 @@ Overlap overlap(const Tile& tile, int width, int height) {
 void load_plane(const uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out) {
   const Overlap part = overlap(tile, width, height);
   if (part.columns < kTileWidth || part.rows < kTileHeight) {
-    std::fill_n(out, kTileWidth * kTileHeight, 0u);
+    std::fill_n(out, kTilePixels, 0u);
   }
   for (int row = 0; row < part.rows; ++row) {
     const uint32_t* from = plane + static_cast<size_t>(tile.y + row) * width + tile.x;
@@ -58,7 +58,7 @@ void fill_plane(uint32_t* plane, const Rect& part, uint32_t value, uint32_t mask
 void resolve_samples(const Tile* tiles, uint32_t* mean) {
   static_assert(kSampleCount == 4);
   constexpr uint32_t kHalves = 0x00ff00ffu, kRounding = 0x00020002u;
-  for (int i = 0; i < kTileHeight * kTileWidth; ++i) {
+  for (int i = 0; i < kTilePixels; ++i) {
     uint32_t rb = kRounding, ga = kRounding;
     for (int s = 0; s < kSampleCount; ++s) {
       rb += tiles[s].colour[i] & kHalves;
@@ -68,34 +68,26 @@ void resolve_samples(const Tile* tiles, uint32_t* mean) {
   }
 }
 
-// Where the plane of a sample, and its part of the uniform tiles, begin.
-struct PlaneOfSample {
-  size_t offset, tile;
-
-  PlaneOfSample(int width, int height, int sample, size_t tile_index)
-      : offset(static_cast<size_t>(width) * height * sample) {
-    const size_t columns = static_cast<size_t>((width + kTileWidth - 1) / kTileWidth);
-    const size_t rows = static_cast<size_t>((height + kTileHeight - 1) / kTileHeight);
-    tile = columns * rows * sample + tile_index;
-  }
-};
+// The pixels themselves, not their samples.
+TilePlane pixels_of(const ColourBuffer& buffer, size_t tile_index, const Tile& tile,
+                    uint32_t* memory) {
+  uint32_t* pixels = buffer.pixels.get();
+  return buffer.uniform ? TilePlane(pixels, *buffer.uniform, tile_index)
+                        : TilePlane(pixels, buffer.width, buffer.height, tile, memory);
+}
 
 }  // namespace
 
-TilePlane::TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, size_t index,
-                     const Tile& tile, uint32_t* out)
-    : plane_(plane),
-      width_(width),
-      height_(height),
-      uniform_(uniform),
-      index_(index),
-      tile_(&tile),
-      out_(out) {
-  if (uniform_ != nullptr && uniform_->is_uniform[index_] != 0) {
+TilePlane::TilePlane(uint32_t* plane, UniformTiles& uniform, size_t index)
+    : out_(plane + index * kTilePixels), uniform_(&uniform), index_(index) {
+  if (uniform.is_uniform[index] != 0) {
     state_ = State::kUniform;
-    value_ = uniform_->value[index_];
+    value_ = uniform.value[index];
   }
 }
+
+TilePlane::TilePlane(uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out)
+    : out_(out), rows_(plane), width_(width), height_(height), tile_(&tile) {}
 
 void TilePlane::set_uniform(uint32_t value) {
   state_ = State::kUniform;
@@ -105,46 +97,43 @@ void TilePlane::set_uniform(uint32_t value) {
 
 void TilePlane::load() {
   if (state_ == State::kUniform) {
-    std::fill_n(out_, kTileWidth * kTileHeight, value_);
-  } else if (state_ == State::kStored && plane_ != nullptr) {
-    load_plane(plane_, width_, height_, *tile_, out_);
+    std::fill_n(out_, kTilePixels, value_);
+  } else if (state_ == State::kStored && rows_ != nullptr) {
+    load_plane(rows_, width_, height_, *tile_, out_);
   }
   state_ = State::kLoaded;
 }
 
 void TilePlane::store() {
-  if (!changed_ || plane_ == nullptr) return;
+  if (!changed_ || out_ == nullptr) return;
   if (uniform_ != nullptr) {
     uniform_->is_uniform[index_] = state_ == State::kUniform;
-    if (state_ == State::kUniform) {
-      uniform_->value[index_] = value_;
-      return;
-    }
+    uniform_->value[index_] = value_;
+    return;
   }
   load();
-  store_plane(out_, *tile_, width_, height_, plane_);
+  store_plane(out_, *tile_, width_, height_, rows_);
 }
 
-TilePlanes::TilePlanes(const Target& target, Tile* tiles, int tile_index)
+TilePlanes::TilePlanes(const Target& target, SampleTiles& tiles, int tile_index)
     : target_(target),
       tiles_(tiles),
       tile_index_(static_cast<size_t>(tile_index)),
       samples_(target.samples()) {
+  const size_t plane_tiles = tile_count(target.width, target.height);
   for (int s = 0; s < samples_; ++s) {
-    Tile& tile = tiles[s];
+    Tile& tile = tiles.tiles[s];
+    TileMemory& memory = tiles.memory[s];
+    const size_t index = plane_tiles * s + tile_index_;
     if (const ColourBuffer* to = target.colour.get()) {
-      const PlaneOfSample at(to->width, to->height, s, tile_index_);
-      colour_[s] = to->samples
-                       ? TilePlane(to->samples->values.get() + at.offset, to->width, to->height,
-                                   &to->samples->uniform, at.tile, tile, tile.colour)
-                       : TilePlane(to->pixels.get(), to->width, to->height, to->uniform.get(),
-                                   tile_index_, tile, tile.colour);
+      colour_[s] = to->samples ? TilePlane(to->samples->values.get(), to->samples->uniform, index)
+                               : pixels_of(*to, tile_index_, tile, memory.colour);
     }
     if (const DepthStencilBuffer* to = target.depth_stencil.get()) {
-      const PlaneOfSample at(to->width, to->height, s, tile_index_);
-      depth_stencil_[s] = TilePlane(to->values.get() + at.offset, to->width, to->height,
-                                    to->uniform.get(), at.tile, tile, tile.depth_stencil);
+      depth_stencil_[s] = TilePlane(to->values.get(), *to->uniform, index);
     }
+    tile.colour = target.colour ? colour_[s].memory() : memory.colour;
+    tile.depth_stencil = target.depth_stencil ? depth_stencil_[s].memory() : memory.depth_stencil;
   }
 }
 
@@ -175,9 +164,8 @@ void TilePlanes::resolve() {
   const auto first = colour_.begin(), end = first + samples_;
   if (std::none_of(first, end, [](const TilePlane& p) { return p.changed(); })) return;
   const ColourBuffer& to = *target_.colour;
-  alignas(64) uint32_t mean[kTileHeight * kTileWidth];
-  TilePlane pixels(to.pixels.get(), to.width, to.height, to.uniform.get(), tile_index_, *tiles_,
-                   mean);
+  alignas(64) uint32_t memory[kTilePixels];
+  TilePlane pixels = pixels_of(to, tile_index_, tile(), memory);
   if (std::all_of(first, end, [&](const TilePlane& p) {
         return p.is_uniform() && p.uniform_value() == first->uniform_value();
       })) {
@@ -185,7 +173,7 @@ void TilePlanes::resolve() {
   } else {
     std::for_each(first, end, [](TilePlane& p) { p.load(); });
     pixels.overwrite();
-    resolve_samples(tiles_, mean);
+    resolve_samples(tiles_.tiles.data(), pixels.memory());
   }
   pixels.store();
 }

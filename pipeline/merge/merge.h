@@ -19,9 +19,14 @@ class TilePlane {
  public:
   // One of a surface that is not there.
   TilePlane() = default;
-  // `plane` is the surface's, `out` the tile's; `index` is that of the plane's tile in `uniform`.
-  TilePlane(uint32_t* plane, int width, int height, UniformTiles* uniform, size_t index,
-            const Tile& tile, uint32_t* out);
+  // One of a plane that is laid out in tiles, which is worked on where it is; `index` is its place
+  // among the tiles.
+  TilePlane(uint32_t* plane, UniformTiles& uniform, size_t index);
+  // One of a plane that is laid out in rows; it is worked on in `out`.
+  TilePlane(uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out);
+
+  // What the plane is worked on in; null for one that is not there.
+  uint32_t* memory() const { return out_; }
 
   void set_uniform(uint32_t value);
   bool is_uniform() const { return state_ == State::kUniform; }
@@ -49,12 +54,12 @@ class TilePlane {
  private:
   enum class State : uint8_t { kStored, kUniform, kLoaded };
 
-  uint32_t* plane_ = nullptr;
-  int width_ = 0, height_ = 0;
-  UniformTiles* uniform_ = nullptr;
-  size_t index_ = 0;
-  const Tile* tile_ = nullptr;
   uint32_t* out_ = nullptr;
+  UniformTiles* uniform_ = nullptr;  // null: the plane is laid out in rows
+  size_t index_ = 0;
+  uint32_t* rows_ = nullptr;
+  int width_ = 0, height_ = 0;
+  const Tile* tile_ = nullptr;
   State state_ = State::kStored;
   bool changed_ = false;
   uint32_t value_ = 0;  // in kUniform
@@ -64,11 +69,11 @@ class TilePlane {
 // of the samples goes into the colour buffer (4.1.10).
 class TilePlanes {
  public:
-  // `tiles` are as many as the target has samples.
-  TilePlanes(const Target& target, Tile* tiles, int tile_index);
+  // Makes the tiles' planes those of the target's tile.
+  TilePlanes(const Target& target, SampleTiles& tiles, int tile_index);
 
   int samples() const { return samples_; }
-  const Tile& tile() const { return *tiles_; }
+  const Tile& tile() const { return tiles_.tiles[0]; }
   TilePlane& colour(int sample) { return colour_[sample]; }
   TilePlane& depth_stencil(int sample) { return depth_stencil_[sample]; }
 
@@ -81,7 +86,7 @@ class TilePlanes {
   void resolve();
 
   const Target& target_;
-  Tile* tiles_;
+  SampleTiles& tiles_;
   size_t tile_index_;
   int samples_;
   std::array<TilePlane, kSampleCount> colour_, depth_stencil_;

@@ -1,22 +1,40 @@
 // A tile: the square of the surface that one worker owns while it rasterizes and shades.
 //
-// Its colour and depth/stencil planes (8 KB each) stay in the first-level cache until they are
-// merged into the surface.
+// Its colour and depth/stencil planes (8 KB each) stay in the first-level cache meanwhile. They are
+// the surface's own memory where that is laid out in tiles, else memory of the worker's.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+
+#include "pipeline/raster/samples.h"
 
 namespace clearpipe::pipeline {
 
 inline constexpr int kTileWidth = 64;  // one bit of a row mask per pixel
 inline constexpr int kTileHeight = 32;
 
+inline constexpr int kTilePixels = kTileHeight * kTileWidth;
+
+// Pixels in rows of kTileWidth; aligned to 64 bytes.
 struct Tile {
-  alignas(64) uint32_t colour[kTileHeight * kTileWidth];         // RGBA8, R in the low byte
-  alignas(64) uint32_t depth_stencil[kTileHeight * kTileWidth];  // depth << 8 | stencil
-  int x = 0, y = 0;       // window coordinates of the first pixel
+  uint32_t* colour = nullptr;         // RGBA8, R in the low byte
+  uint32_t* depth_stencil = nullptr;  // depth << 8 | stencil
+  int x = 0, y = 0;                   // window coordinates of the first pixel
   int mirror_height = 0;  // > 0: the surface has this many rows, and its first is the upmost
+};
+
+struct TileMemory {
+  alignas(64) uint32_t colour[kTilePixels];
+  alignas(64) uint32_t depth_stencil[kTilePixels];
+};
+
+// The tile of each sample, with memory for planes that the surface does not lay out in tiles. A
+// surface without multisampling uses the first.
+struct SampleTiles {
+  std::array<Tile, kSampleCount> tiles;
+  std::array<TileMemory, kSampleCount> memory{};
 };
 
 // Which pixels of a tile a primitive covers: bit i of rows[j] is pixel (x + i, y + j).
