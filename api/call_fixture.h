@@ -19,11 +19,12 @@ inline constexpr uint32_t kRed = 0xff0000ffu, kGreen = 0xff00ff00u, kBlue = 0xff
                           kWhite = 0xffffffffu;
 
 inline pipeline::Target make_target(int width, int height, bool alpha = true, bool depth = true,
-                                    bool stencil = true) {
+                                    bool stencil = true, int samples = 1) {
   pipeline::Target target;
-  target.colour = pipeline::make_colour_buffer(width, height, alpha);
+  target.colour = pipeline::make_colour_buffer(width, height, alpha, samples);
   if (depth || stencil) {
-    target.depth_stencil = pipeline::make_depth_stencil_buffer(width, height, depth, stencil);
+    target.depth_stencil =
+        pipeline::make_depth_stencil_buffer(width, height, depth, stencil, samples);
   }
   target.width = width;
   target.height = height;

@@ -328,6 +328,11 @@ void derive_fragment(Context& context) {
   f.fog_start = s.fog.start;
   f.fog_end = s.fog.end;
   f.fog_colour = s.fog.colour;
+  f.alpha_to_coverage = s.multisample.alpha_to_coverage;
+  f.alpha_to_one = s.multisample.alpha_to_one;
+  f.sample_coverage = s.multisample.coverage;
+  f.sample_coverage_value = s.multisample.coverage_value;
+  f.sample_coverage_invert = s.multisample.coverage_invert;
   derive_pixel(context, f);
   context.frame.set_fragment_state(f);
 }

@@ -37,11 +37,11 @@ Capability capability(Context& c, GLenum cap) {
     case GL_MULTISAMPLE:
       return {&s.multisample.enabled, kDirtyRaster};
     case GL_SAMPLE_ALPHA_TO_COVERAGE:
-      return {&s.multisample.alpha_to_coverage, kDirtyRaster};
+      return {&s.multisample.alpha_to_coverage, kDirtyFragment};
     case GL_SAMPLE_ALPHA_TO_ONE:
-      return {&s.multisample.alpha_to_one, kDirtyRaster};
+      return {&s.multisample.alpha_to_one, kDirtyFragment};
     case GL_SAMPLE_COVERAGE:
-      return {&s.multisample.coverage, kDirtyRaster};
+      return {&s.multisample.coverage, kDirtyFragment};
     case GL_TEXTURE_2D:
       return {&c.active_unit().enabled, kDirtyTexture};
     case GL_SCISSOR_TEST:
@@ -179,6 +179,7 @@ void polygon_offset(Context& c, float factor, float units) {
 void sample_coverage(Context& c, float value, GLboolean invert) {
   c.state.multisample.coverage_value = clamp01(value);
   c.state.multisample.coverage_invert = invert != 0;
+  c.dirty |= kDirtyFragment;
 }
 
 void pixel_store(Context& c, GLenum pname, GLint param) {

@@ -7,6 +7,9 @@
 #include <EGL/eglext.h>
 #include <dlfcn.h>
 
+#include <array>
+#include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 namespace clearpipe::conformance {
@@ -15,7 +18,8 @@ namespace {
 
 class ThroughEgl final : public Implementation {
  public:
-  ThroughEgl() {
+  // Opens the display of the vendor of that name, or, for null, the surfaceless one.
+  ThroughEgl(const char* vendor, int samples) {
     library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) throw std::runtime_error(dlerror());
     const auto egl = [&](const char* symbol) { return dlsym(library_, symbol); };
@@ -29,12 +33,17 @@ class ThroughEgl final : public Implementation {
     destroy_surface_ = reinterpret_cast<decltype(&eglDestroySurface)>(egl("eglDestroySurface"));
     make_current_ = reinterpret_cast<decltype(&eglMakeCurrent)>(egl("eglMakeCurrent"));
     terminate_ = reinterpret_cast<decltype(&eglTerminate)>(egl("eglTerminate"));
-    const auto get_platform_display =
+    initialize_ = reinterpret_cast<decltype(&eglInitialize)>(egl("eglInitialize"));
+    query_string_ = reinterpret_cast<decltype(&eglQueryString)>(egl("eglQueryString"));
+    get_platform_display_ =
         reinterpret_cast<decltype(&eglGetPlatformDisplay)>(egl("eglGetPlatformDisplay"));
-    const auto initialize = reinterpret_cast<decltype(&eglInitialize)>(egl("eglInitialize"));
 
-    display_ = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    check(display_ != EGL_NO_DISPLAY && initialize(display_, nullptr, nullptr), "eglInitialize");
+    if (vendor != nullptr) {
+      open_display_of(vendor);
+    } else {
+      display_ = get_platform_display_(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+      check(display_ != EGL_NO_DISPLAY && initialize_(display_, nullptr, nullptr), "eglInitialize");
+    }
     const EGLint wanted[] = {EGL_SURFACE_TYPE,
                              EGL_PBUFFER_BIT,
                              EGL_RENDERABLE_TYPE,
@@ -47,6 +56,8 @@ class ThroughEgl final : public Implementation {
                              24,
                              EGL_STENCIL_SIZE,
                              8,
+                             EGL_SAMPLES,
+                             samples,
                              EGL_NONE};
     EGLint count = 0;
     check(choose_config_(display_, wanted, &config_, 1, &count) && count == 1, "eglChooseConfig");
@@ -84,6 +95,30 @@ class ThroughEgl final : public Implementation {
   std::string name() const override { return name_; }
 
  private:
+  // The display of a vendor's software device.
+  void open_display_of(const std::string& vendor) {
+    const auto query_devices =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(get_proc_address_("eglQueryDevicesEXT"));
+    const auto query_device = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(
+        get_proc_address_("eglQueryDeviceStringEXT"));
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    check(query_devices(16, devices.data(), &count), "eglQueryDevicesEXT");
+    for (EGLint i = 0; i < count; ++i) {
+      const EGLDeviceEXT device = devices[static_cast<size_t>(i)];
+      const char* extensions = query_device(device, EGL_EXTENSIONS);
+      if (extensions == nullptr || !std::strstr(extensions, "EGL_MESA_device_software")) continue;
+      const EGLDisplay display = get_platform_display_(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+      if (display == EGL_NO_DISPLAY || !initialize_(display, nullptr, nullptr)) continue;
+      if (vendor == query_string_(display, EGL_VENDOR)) {
+        display_ = display;
+        return;
+      }
+      terminate_(display);
+    }
+    throw std::runtime_error("no EGL software device of " + vendor);
+  }
+
   void check(bool good, const char* call) {
     if (good) return;
     throw std::runtime_error(std::string(call) + " failed, EGL error " +
@@ -93,6 +128,9 @@ class ThroughEgl final : public Implementation {
   void* library_ = nullptr;
   decltype(&eglGetProcAddress) get_proc_address_;
   decltype(&eglGetError) get_error_;
+  decltype(&eglGetPlatformDisplay) get_platform_display_;
+  decltype(&eglInitialize) initialize_;
+  decltype(&eglQueryString) query_string_;
   decltype(&eglChooseConfig) choose_config_;
   decltype(&eglCreateContext) create_context_;
   decltype(&eglDestroyContext) destroy_context_;
@@ -110,6 +148,13 @@ class ThroughEgl final : public Implementation {
 
 }  // namespace
 
-std::unique_ptr<Implementation> open_through_egl() { return std::make_unique<ThroughEgl>(); }
+std::unique_ptr<Implementation> open_through_egl(int samples) {
+  return std::make_unique<ThroughEgl>(nullptr, samples);
+}
+
+std::unique_ptr<Implementation> open_mesa_through_egl(int samples) {
+  setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+  return std::make_unique<ThroughEgl>("Mesa Project", samples);
+}
 
 }  // namespace clearpipe::conformance

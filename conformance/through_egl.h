@@ -8,8 +8,13 @@
 
 namespace clearpipe::conformance {
 
-// Opens the surfaceless display. Which vendor answers is the environment's choice
-// (__EGL_VENDOR_LIBRARY_FILENAMES). Throws std::runtime_error with the reason when there is none.
-std::unique_ptr<Implementation> open_through_egl();
+// Opens the surfaceless display, with buffers of so many samples a pixel (0: not multisampled).
+// Which vendor answers is the environment's choice (__EGL_VENDOR_LIBRARY_FILENAMES). Throws
+// std::runtime_error with the reason when there is none.
+std::unique_ptr<Implementation> open_through_egl(int samples = 0);
+
+// The same on Mesa's own OpenGL ES 1.1, if the environment names Mesa's vendor library too: opened
+// by its device.
+std::unique_ptr<Implementation> open_mesa_through_egl(int samples);
 
 }  // namespace clearpipe::conformance

@@ -6,21 +6,26 @@
 #include <array>
 #include <tuple>
 
+#include "pipeline/surface.h"
+
 namespace clearpipe::icd {
 
 namespace {
 
 std::vector<Config> make_configs() {
   std::vector<Config> list;
-  for (const EGLint alpha : {8, 0}) {
-    for (const auto& [depth, stencil] :
-         {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
-      Config config;
-      config.id = static_cast<EGLint>(list.size()) + 1;
-      config.alpha = alpha;
-      config.depth = depth;
-      config.stencil = stencil;
-      list.push_back(config);
+  for (const EGLint samples : {0, pipeline::kSampleCount}) {
+    for (const EGLint alpha : {8, 0}) {
+      for (const auto& [depth, stencil] :
+           {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
+        Config config;
+        config.id = static_cast<EGLint>(list.size()) + 1;
+        config.alpha = alpha;
+        config.depth = depth;
+        config.stencil = stencil;
+        config.samples = samples;
+        list.push_back(config);
+      }
     }
   }
   return list;
@@ -170,10 +175,14 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
     case EGL_STENCIL_SIZE:
       value = config.stencil;
       break;
+    case EGL_SAMPLE_BUFFERS:
+      value = config.samples > 0 ? 1 : 0;
+      break;
+    case EGL_SAMPLES:
+      value = config.samples;
+      break;
     case EGL_LUMINANCE_SIZE:
     case EGL_ALPHA_MASK_SIZE:
-    case EGL_SAMPLE_BUFFERS:
-    case EGL_SAMPLES:
     case EGL_LEVEL:
     case EGL_NATIVE_VISUAL_ID:
     case EGL_TRANSPARENT_RED_VALUE:
@@ -219,6 +228,7 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
     case EGL_SURFACE_TYPE:
       // A pbuffer keeps its pixels whatever is posted, so it can promise to.
       value = EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT;
+      if (config.samples > 0) value |= EGL_MULTISAMPLE_RESOLVE_BOX_BIT;
       break;
     default:
       return false;
@@ -265,8 +275,8 @@ EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out
       out.push_back(&config);
     }
   }
-  // More bits of the colours that were asked for come first, then the smaller buffer, depth,
-  // stencil, and the number of the config.
+  // More bits of the colours that were asked for come first, then the smaller buffer, fewer
+  // samples, the smaller depth and stencil, and the number of the config.
   const auto asked = [&](EGLint attribute) {
     const EGLint value = requested(attribute);
     return value != 0 && value != EGL_DONT_CARE;
@@ -275,7 +285,8 @@ EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out
     const EGLint bits =
         (asked(EGL_RED_SIZE) ? c->red : 0) + (asked(EGL_GREEN_SIZE) ? c->green : 0) +
         (asked(EGL_BLUE_SIZE) ? c->blue : 0) + (asked(EGL_ALPHA_SIZE) ? c->alpha : 0);
-    return std::tuple(-bits, c->red + c->green + c->blue + c->alpha, c->depth, c->stencil, c->id);
+    return std::tuple(-bits, c->red + c->green + c->blue + c->alpha, c->samples, c->depth,
+                      c->stencil, c->id);
   };
   std::sort(out.begin(), out.end(),
             [&](const Config* a, const Config* b) { return key(a) < key(b); });

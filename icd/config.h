@@ -14,6 +14,7 @@ struct Config {
   EGLint id = 0;
   EGLint red = 8, green = 8, blue = 8, alpha = 8;
   EGLint depth = 0, stencil = 0;
+  EGLint samples = 0;  // of the multisample buffer, if there is one
 };
 
 inline constexpr EGLint kMaxPbuffer = 16384;

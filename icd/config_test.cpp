@@ -55,8 +55,7 @@ TEST_F(ConfigTest, EveryConfigIsConsistent) {
     EXPECT_TRUE(attrib(c, EGL_SURFACE_TYPE) & EGL_PBUFFER_BIT);
     EXPECT_EQ(attrib(c, EGL_RENDERABLE_TYPE), EGL_OPENGL_ES_BIT);
     EXPECT_EQ(attrib(c, EGL_CONFORMANT) & ~attrib(c, EGL_RENDERABLE_TYPE), 0);
-    EXPECT_EQ(attrib(c, EGL_SAMPLE_BUFFERS), 0);
-    EXPECT_EQ(attrib(c, EGL_SAMPLES), 0);
+    EXPECT_EQ(attrib(c, EGL_SAMPLES), attrib(c, EGL_SAMPLE_BUFFERS) == 0 ? 0 : 4);
     EXPECT_EQ(attrib(c, EGL_BIND_TO_TEXTURE_RGB), EGL_TRUE);
     EXPECT_EQ(attrib(c, EGL_BIND_TO_TEXTURE_RGBA), attrib(c, EGL_ALPHA_SIZE) > 0);
     EXPECT_LE(attrib(c, EGL_MIN_SWAP_INTERVAL), attrib(c, EGL_MAX_SWAP_INTERVAL));
@@ -114,8 +113,12 @@ TEST_F(ConfigTest, Selection) {
   EXPECT_FALSE(chosen({EGL_ALPHA_SIZE, 1}).empty());
   EXPECT_TRUE(chosen({EGL_RED_SIZE, 9}).empty());
   EXPECT_TRUE(chosen({EGL_DEPTH_SIZE, 25}).empty());
-  EXPECT_TRUE(chosen({EGL_SAMPLES, 4}).empty());
-  EXPECT_TRUE(chosen({EGL_SAMPLE_BUFFERS, 1}).empty());
+  for (const EGLint attribute : {EGL_SAMPLES, EGL_SAMPLE_BUFFERS}) {
+    const auto multisampled = chosen({attribute, 1});
+    EXPECT_EQ(multisampled.size() * 2, all().size());
+    for (const EGLConfig c : multisampled) EXPECT_EQ(attrib(c, EGL_SAMPLES), 4);
+  }
+  EXPECT_TRUE(chosen({EGL_SAMPLES, 5}).empty());
   EXPECT_TRUE(chosen({EGL_LEVEL, 1}).empty());
   EXPECT_TRUE(chosen({EGL_COLOR_BUFFER_TYPE, EGL_LUMINANCE_BUFFER}).empty());
   EXPECT_TRUE(chosen({EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT | EGL_OPENGL_ES2_BIT}).empty());
@@ -215,9 +218,10 @@ TEST_F(ConfigTest, Sorting) {
   };
   for (const EGLint red : {EGL_DONT_CARE, 0, 1, 8}) {
     for (const EGLint alpha : {EGL_DONT_CARE, 0, 1, 8}) {
-      for (const EGLint depth : {0, 1, 24}) {
-        const std::vector<EGLint> request = {EGL_RED_SIZE,   red,  EGL_ALPHA_SIZE, alpha,
-                                             EGL_DEPTH_SIZE, depth};
+      for (const EGLint depth : {0, 1, 24, -4}) {
+        std::vector<EGLint> request = {EGL_RED_SIZE,   red,  EGL_ALPHA_SIZE, alpha,
+                                       EGL_DEPTH_SIZE, depth};
+        if (depth < 0) request = {EGL_RED_SIZE, red, EGL_ALPHA_SIZE, alpha, EGL_SAMPLES, -depth};
         const auto list = chosen(request);
         EXPECT_GE(list.size(), 2u);
         for (size_t i = 1; i < list.size(); ++i) {
@@ -232,6 +236,8 @@ TEST_F(ConfigTest, Sorting) {
   EXPECT_EQ(attrib(chosen({EGL_ALPHA_SIZE, 1})[0], EGL_ALPHA_SIZE), 8);
   EXPECT_EQ(attrib(chosen({})[0], EGL_DEPTH_SIZE), 0);
   EXPECT_EQ(attrib(chosen({})[0], EGL_STENCIL_SIZE), 0);
+  EXPECT_EQ(attrib(chosen({})[0], EGL_SAMPLES), 0);
+  EXPECT_EQ(attrib(chosen({EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8})[0], EGL_SAMPLES), 0);
 }
 
 }  // namespace

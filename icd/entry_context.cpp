@@ -12,8 +12,9 @@ namespace {
 bool compatible(const Context& context, const Surface& surface) {
   const Config* a = context.config;
   const Config* b = surface.config;
-  return a == nullptr || (a->red == b->red && a->green == b->green && a->blue == b->blue &&
-                          a->alpha == b->alpha && a->depth == b->depth && a->stencil == b->stencil);
+  return a == nullptr ||
+         (a->red == b->red && a->green == b->green && a->blue == b->blue && a->alpha == b->alpha &&
+          a->depth == b->depth && a->stencil == b->stencil && a->samples == b->samples);
 }
 
 // The rendering API that is current: libglvnd keeps it, if it stands above us.

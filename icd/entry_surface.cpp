@@ -175,8 +175,14 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       if (thread.context != nullptr) bind_targets(*thread.context);
       break;
     case EGL_MULTISAMPLE_RESOLVE:
-      if (value == EGL_MULTISAMPLE_RESOLVE_BOX) return fail(EGL_BAD_MATCH, EGL_FALSE);
-      if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      // The box is the default here too.
+      if (value == EGL_MULTISAMPLE_RESOLVE_BOX && surface->config->samples == 0) {
+        return fail(EGL_BAD_MATCH, EGL_FALSE);
+      }
+      if (value != EGL_MULTISAMPLE_RESOLVE_DEFAULT && value != EGL_MULTISAMPLE_RESOLVE_BOX) {
+        return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+      }
+      surface->multisample_resolve = value;
       break;
     case EGL_SWAP_BEHAVIOR:
       if (value != EGL_BUFFER_PRESERVED && value != EGL_BUFFER_DESTROYED) {

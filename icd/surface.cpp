@@ -58,12 +58,13 @@ bool make_target(const Config& config, int width, int height, pipeline::Target& 
   target.height = height;
   width = std::max(width, 1);
   height = std::max(height, 1);
-  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0);
+  const int samples = std::max(config.samples, 1);
+  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0, samples);
   if (!target.colour) return false;
   target.depth_stencil = nullptr;
   if (config.depth > 0 || config.stencil > 0) {
-    target.depth_stencil =
-        pipeline::make_depth_stencil_buffer(width, height, config.depth > 0, config.stencil > 0);
+    target.depth_stencil = pipeline::make_depth_stencil_buffer(width, height, config.depth > 0,
+                                                               config.stencil > 0, samples);
     if (!target.depth_stencil) return false;
   }
   return true;

@@ -142,6 +142,46 @@ TEST_F(SurfaceTest, QueryAndSetErrors) {
                   EGL_BAD_PARAMETER);
 }
 
+// 3.5.6: the box is the filter, and can be asked for where there is something to filter.
+TEST_F(SurfaceTest, MultisampleSurfaces) {
+  const EGLConfig multisampled = choose({EGL_SAMPLES, 4, EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8});
+  ASSERT_NE(multisampled, nullptr);
+  EGLint types = 0;
+  EXPECT_EGL_OK(eglGetConfigAttrib(display, multisampled, EGL_SURFACE_TYPE, &types));
+  EXPECT_TRUE(types & EGL_MULTISAMPLE_RESOLVE_BOX_BIT);
+  EXPECT_FALSE(config_attrib(EGL_SURFACE_TYPE) & EGL_MULTISAMPLE_RESOLVE_BOX_BIT);
+  const EGLSurface surface = pbuffer(multisampled, 9, 9);
+  EXPECT_EQ(query(surface, EGL_MULTISAMPLE_RESOLVE), EGL_MULTISAMPLE_RESOLVE_DEFAULT);
+  for (const EGLint filter : {EGL_MULTISAMPLE_RESOLVE_BOX, EGL_MULTISAMPLE_RESOLVE_DEFAULT}) {
+    EXPECT_EGL_OK(eglSurfaceAttrib(display, surface, EGL_MULTISAMPLE_RESOLVE, filter));
+    EXPECT_EQ(query(surface, EGL_MULTISAMPLE_RESOLVE), filter);
+  }
+  EXPECT_EGL_FAIL(eglSurfaceAttrib(display, surface, EGL_MULTISAMPLE_RESOLVE, 5), EGL_FALSE,
+                  EGL_BAD_PARAMETER);
+
+  // The edge of a triangle along the diagonal, after a swap.
+  const EGLContext made = eglCreateContext(display, multisampled, EGL_NO_CONTEXT, nullptr);
+  ASSERT_NE(made, EGL_NO_CONTEXT);
+  ASSERT_TRUE(eglMakeCurrent(display, surface, surface, made));
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  EXPECT_EQ(samples, 4);
+  EXPECT_EQ(clear_and_read(0, 0, 0, 1), 0xff000000u);
+  const float corners[] = {-1, -1, 1, -1, -1, 1};
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(2, GL_FLOAT, 0, corners);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  EXPECT_EGL_OK(eglSwapBuffers(display, surface));
+  for (int x = 0; x < 9; ++x) {
+    uint32_t pixel = 0;
+    glReadPixels(x, 8 - x, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    EXPECT_EQ(pixel, 0xff808080u) << x;  // two of the four places lie below the diagonal
+  }
+  // Buffers of another kind do not fit (2.2).
+  EXPECT_EGL_FAIL(eglMakeCurrent(display, pbuffer(9, 9), pbuffer(9, 9), made), EGL_FALSE,
+                  EGL_BAD_MATCH);
+}
+
 TEST_F(SurfaceTest, SetAttributes) {
   const EGLSurface surface = pbuffer(4, 4);
   EXPECT_EGL_OK(eglSurfaceAttrib(display, surface, EGL_MIPMAP_LEVEL, 3));

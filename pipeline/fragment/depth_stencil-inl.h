@@ -137,6 +137,7 @@ inline void early_depth(const PrimitivePlanes& planes, const Plane& plane, const
   const hn::RebindToSigned<decltype(df)> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const StencilState no_stencil;
+  const auto to_x = hn::Set(df, 0.5f - planes.x_ref);
   const auto lane_bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, 0));
   for (int row = coverage.first_row; row < coverage.last_row; ++row) {
     const uint64_t covered = coverage.rows[row];
@@ -150,7 +151,7 @@ inline void early_depth(const PrimitivePlanes& planes, const Plane& plane, const
       const auto bits = hn::Set(d, static_cast<int32_t>(covered >> x & 0xffff));
       const auto live = hn::Ne(hn::And(bits, lane_bit), hn::Zero(d));
       const auto column =
-          hn::Add(hn::ConvertTo(df, hn::Iota(d, tile.x + x)), hn::Set(df, 0.5f - planes.x_ref));
+          hn::Add(hn::Add(hn::Set(df, static_cast<float>(tile.x + x)), hn::Iota(df, 0)), to_x);
       auto packed = hn::Load(d, stored + x);
       const auto passes =
           depth_stencil_test(d, no_stencil, depth, live, depth_value(df, plane, column, y), packed);

@@ -88,9 +88,11 @@ class FusedLoop {
   HWY_INLINE void shade_group(int row, int column, uint64_t bits) {
     const TagF d;
     const TagI di;
+    // From whole numbers, as the chain has it.
     const VecF to_x = hn::Set(d, 0.5f - planes_.x_ref);
-    const Pair<VecF> x = {hn::Add(hn::ConvertTo(d, hn::Iota(di, tile_.x + column)), to_x),
-                          hn::Add(hn::ConvertTo(d, hn::Iota(di, tile_.x + column + kLanes)), to_x)};
+    const VecF first = hn::Set(d, static_cast<float>(tile_.x + column));
+    const Pair<VecF> x = {hn::Add(hn::Add(first, hn::Iota(d, 0)), to_x),
+                          hn::Add(hn::Add(first, hn::Iota(d, kLanes)), to_x)};
     const uint64_t upper_bits = bits >> kLanes;
     Pair<MaskI> live = {hn::LoadMaskBits(di, reinterpret_cast<const uint8_t*>(&bits)),
                         hn::LoadMaskBits(di, reinterpret_cast<const uint8_t*>(&upper_bits))};

@@ -30,7 +30,7 @@ void CoverRows(const TileEdges& edges, int first_column, int end_column, int fir
   using V = hn::Vec<decltype(d)>;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int first = first_column / lanes * lanes;
-  const V column = hn::Iota(d, first);
+  const V column = hn::Add(hn::Set(d, first), hn::Iota(d, 0));
   V row_value[kEdges], step[kEdges], next_row[kEdges];
   for (int e = 0; e < kEdges; ++e) {
     const V a = hn::Set(d, edges.a[e]);

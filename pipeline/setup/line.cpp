@@ -64,13 +64,14 @@ bool setup_rectangle(const SetupState& state, const float* w0, const float* w1,
     return false;  // no area that shows
   }
   const float scale = 0.5f * supported_width(state.raster.line_width) / std::sqrt(square);
-  const float nx = -dy * scale, ny = dx * scale;
-  const float x[4] = {w0[0] - nx, w1[0] - nx, w1[0] + nx, w0[0] + nx};
-  const float y[4] = {w0[1] - ny, w1[1] - ny, w1[1] + ny, w0[1] + ny};
-  SnappedPoint corners[4];
-  for (int i = 0; i < 4; ++i) {
-    corners[i] = {snap(x[i] - 0.5f), mirror(state, snap(y[i] - 0.5f))};
-  }
+  // End points and distances are snapped each by itself, as the reference does.
+  const int32_t nx = snap(-dy * scale), ny = snap(dx * scale);
+  const int32_t x0 = snap(w0[0] - 0.5f), y0 = snap(w0[1] - 0.5f);
+  const int32_t x1 = snap(w1[0] - 0.5f), y1 = snap(w1[1] - 0.5f);
+  const SnappedPoint corners[4] = {{x0 - nx, mirror(state, y0 - ny)},
+                                   {x1 - nx, mirror(state, y1 - ny)},
+                                   {x1 + nx, mirror(state, y1 + ny)},
+                                   {x0 + nx, mirror(state, y0 + ny)}};
   if (!set_polygon(state, corners, 4, out)) {
     return false;
   }
