@@ -30,7 +30,7 @@ def is_said(rule):
 
 
 calls = {}
-for name, validator in re.findall(r"^CALL\([^,]*, (\w+), \(.*\), (\w+), \w+, \w+, \"[^\"]*\"\)$",
+for name, validator in re.findall(r"^(?:COMMON_)?CALL\([^,]*, (\w+), \(.*\), (\w+), \w+, \w+, \"[^\"]*\"\)$",
                                   (source / "api" / "gles1.def").read_text(encoding="utf-8"), re.M):
     if validator != "none":
         calls["gl" + name] = validator
