@@ -1,16 +1,9 @@
 // Cube maps (OES_texture_cube_map): names and targets, images of faces, completeness, which texture
-// a unit samples, generated coordinates, framebuffer objects, errors.
+// a unit samples, generated coordinates, framebuffer objects.
 // SPDX-License-Identifier: MIT
 #include <array>
 
 #include "api/call_fixture.h"
-
-// Of the extension, but not in every GLES/glext.h.
-extern "C" {
-void GL_APIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param);
-void GL_APIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params);
-void GL_APIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params);
-}
 
 namespace clearpipe::api {
 namespace {
@@ -194,41 +187,6 @@ TEST_F(CubeMaps, NamesKeepTheirTarget) {
   EXPECT_EQ(get(GL_TEXTURE_BINDING_CUBE_MAP_OES), 0);
 }
 
-TEST_F(CubeMaps, ErrorsOfImages) {
-  cube_map();
-  const uint32_t data[16] = {};
-  const auto image = [&](GLenum target, GLint level, GLsizei width, GLsizei height) {
-    glTexImage2D(target, level, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, data);
-    return glGetError();
-  };
-  const GLenum value = GL_INVALID_VALUE, enumerant = GL_INVALID_ENUM;
-  EXPECT_EQ(image(kFirst, 0, 4, 2), value);
-  EXPECT_EQ(image(kFirst, -1, 4, 4), value);
-  EXPECT_EQ(image(kFirst, 15, 1, 1), value);
-  EXPECT_EQ(image(kFirst + 5, 14, 2, 2), value);
-  EXPECT_EQ(image(kFirst + 5, 0, 16385, 16385), value);
-  EXPECT_EQ(image(kFirst + 6, 0, 4, 4), enumerant);
-  EXPECT_EQ(image(kCube, 0, 4, 4), enumerant);
-  glCopyTexImage2D(kFirst, 0, GL_RGBA, 0, 0, 4, 2, 0);
-  EXPECT_ERROR(GL_INVALID_VALUE);
-  glCopyTexImage2D(kCube, 0, GL_RGBA, 0, 0, 4, 4, 0);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glTexSubImage2D(kCube, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, data);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glTexSubImage2D(kFirst, 1, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, data);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
-  glTexSubImage2D(kFirst, 0, 4, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, data);
-  EXPECT_ERROR(GL_INVALID_VALUE);
-  glCopyTexSubImage2D(kCube, 0, 0, 0, 0, 0, 1, 1);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glCompressedTexImage2D(kFirst, 0, GL_ETC1_RGB8_OES, 8, 4, 0, 16, data);
-  EXPECT_ERROR(GL_INVALID_VALUE);
-  glCompressedTexImage2D(kCube, 0, GL_ETC1_RGB8_OES, 4, 4, 0, 8, data);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  EXPECT_EQ(towards(1, 0, 0), colour_of(0));
-  EXPECT_EQ(towards(0, 0, -1), colour_of(5));
-}
-
 TEST_F(CubeMaps, CompressedFaces) {
   cube_map();
   // One colour: index 0 of a palette of 16.
@@ -405,22 +363,6 @@ TEST_F(CubeMaps, ModesOfGeneration) {
   EXPECT_EQ(mode, reflection);
   EXPECT_FALSE(glIsEnabled(kStr));
   EXPECT_EQ(get(kStr), 0);
-
-  constexpr GLenum kTextureGenS = 0x0C60, kS = 0x2000, kSphereMap = 0x2402, kPlane = 0x2501;
-  glTexGeniOES(kS, kMode, normal);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glTexGeniOES(kStr, kPlane, normal);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glTexGeniOES(kStr, kMode, kSphereMap);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glGetTexGenivOES(kS, kMode, &mode);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glGetTexGenivOES(kStr, kPlane, &mode);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glEnable(kTextureGenS);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  glGetTexGenivOES(kStr, kMode, &mode);
-  EXPECT_EQ(mode, reflection);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void renderbuffer_storage(Context& c, GLenum, GLenum internal, GLsizei width, GL
   r.internal = internal;
   r.colour = std::move(colour);
   r.depth_stencil = std::move(depth_stencil);
+  r.sibling = nullptr;
 }
 
 void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params) {

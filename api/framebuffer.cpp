@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: MIT
 #include "api/framebuffer.h"
 
+#include <algorithm>
+
+#include "api/egl_image.h"
 #include "api/pixel_format.h"
 
 namespace clearpipe::api {
@@ -63,12 +66,13 @@ GLenum status_of(const FramebufferObject& f) {
 }
 
 // A level of a texture as a buffer to draw to: the same memory.
-std::shared_ptr<pipeline::ColourBuffer> buffer_of(const TextureObject& texture, size_t index) {
-  pipeline::ImageLevel& from = texture.image->levels[index];
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t index) {
+  refresh(texture);
+  const pipeline::ImageLevel& from = texture.image->levels[index];
   auto buffer = std::make_shared<pipeline::ColourBuffer>();
   buffer->width = from.width;
   buffer->height = from.height;
-  buffer->pixels = std::shared_ptr<uint32_t[]>(texture.image, from.texels.data());
+  buffer->pixels = from.texels.memory();
   buffer->has_alpha = texture.level[index].format == GL_RGBA;
   return buffer;
 }
@@ -91,6 +95,7 @@ pipeline::Target target_of(const FramebufferObject& f) {
   pipeline::Target target;
   target.mirrored = false;
   if (f.colour.renderbuffer) {
+    refresh(*f.colour.renderbuffer);
     target.colour = f.colour.renderbuffer->colour;
   } else if (f.colour.texture) {
     target.colour = buffer_of(*f.colour.texture, f.colour.image);
@@ -108,7 +113,7 @@ bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]
 bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha;
+         a->has_alpha == b->has_alpha && a->uniform == b->uniform;
 }
 bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
   if (a == b || !a || !b) return a == b;
@@ -124,6 +129,17 @@ bool same(const pipeline::Target& a, const pipeline::Target& b) {
 constexpr Invalid kNoSurface{GL_INVALID_FRAMEBUFFER_OPERATION_OES,
                              "the context is current without a surface "
                              "(OES_surfaceless_context)"};
+
+// Whether the target is one of the first levels of the texture: itself, or through an EGLImage.
+bool draws_to(const Context& c, const TextureObject& texture, size_t levels) {
+  if (!c.draw.colour) return false;
+  const auto first = texture.image->levels.begin();
+  return std::any_of(first,
+                     first + static_cast<ptrdiff_t>(std::min(levels, texture.image->levels.size())),
+                     [&c](const pipeline::ImageLevel& level) {
+                       return level.texels.memory() == c.draw.colour->pixels;
+                     });
+}
 
 }  // namespace
 
@@ -190,21 +206,19 @@ void update_targets(Context& c) {
   if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
 }
 
-void note_drawn_texture(Context& c) {
-  if (c.framebuffer && c.framebuffer->colour.texture) {
-    c.framebuffer->colour.texture->uses.note(c.clock);
-  }
+void note_drawn_image(Context& c) {
+  if (!c.framebuffer) return;
+  const Attachment& colour = c.framebuffer->colour;
+  if (colour.texture) note_uses(c, *colour.texture);
+  if (colour.renderbuffer) note_uses(c, *colour.renderbuffer);
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (c.framebuffer && c.framebuffer->colour.texture.get() == &texture) {
-    c.finish_frame(Slow::kFinishes);
-  }
+  if (draws_to(c, texture, texture.image->levels.size())) c.finish_frame(Slow::kFinishes);
 }
 
 bool samples_its_target(const Context& c, const TextureObject& texture) {
-  if (!c.framebuffer || c.framebuffer->colour.texture.get() != &texture) return false;
-  return is_mipmap_filter(texture.min_filter) || c.framebuffer->colour.level == 0;
+  return draws_to(c, texture, is_mipmap_filter(texture.min_filter) ? kTextureLevels : 1);
 }
 
 Attachment* attachment_point(FramebufferObject& framebuffer, GLenum name) {

@@ -38,13 +38,12 @@ bool is_cube_complete(const TextureObject& texture) {
 
 // OES_required_internalformat would have the format and type of all levels agree too; as with the
 // core and with Mesa, levels given in different types are complete here.
-bool is_complete(const TextureObject& texture) {
+bool has_mipmap(const TextureObject& texture) {
   const TextureLevel& base = texture.level[0];
   const bool cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
   if (base.width == 0 || base.height == 0 || (cube && !is_cube_complete(texture))) return false;
-  if (!is_mipmap_filter(texture.min_filter)) return true;
   const size_t last = static_cast<size_t>(last_mipmap_level(texture));
-  const auto has_mipmap = [&](size_t face) {
+  const auto has_levels = [&](size_t face) {
     int width = base.width, height = base.height;
     for (size_t i = 1; i <= last; ++i) {
       width = std::max(1, width / 2);
@@ -53,7 +52,13 @@ bool is_complete(const TextureObject& texture) {
     }
     return true;
   };
-  return cube ? std::all_of(kFaces.begin(), kFaces.end(), has_mipmap) : has_mipmap(0);
+  return cube ? std::all_of(kFaces.begin(), kFaces.end(), has_levels) : has_levels(0);
+}
+
+bool is_complete(const TextureObject& texture) {
+  if (is_mipmap_filter(texture.min_filter)) return has_mipmap(texture);
+  if (texture.target == GL_TEXTURE_CUBE_MAP_OES) return is_cube_complete(texture);
+  return texture.level[0].width > 0 && texture.level[0].height > 0;
 }
 
 int last_mipmap_level(const TextureObject& texture) {

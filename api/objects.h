@@ -47,10 +47,16 @@ struct BufferObject {
 };
 using BufferPtr = std::shared_ptr<BufferObject>;
 
+struct EglImage;  // egl_image.h
+using EglImagePtr = std::shared_ptr<EglImage>;
+
+struct SurfaceTexture;  // surface_texture.cpp
+
 struct TextureLevel {
   int width = 0, height = 0;
   GLenum internal = 0;  // as specified, sized and compressed ones too: levels must agree (3.7.9)
   GLenum format = 0;    // its base format: ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA
+  EglImagePtr sibling = nullptr;  // what it shares its texels with
 };
 
 // Table 6.14.
@@ -74,7 +80,9 @@ struct TextureObject {
   std::array<TextureLevel, pipeline::kCubeFaces * kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
-  FrameUses uses;  // of image
+  FrameUses uses;                           // of image
+  bool has_siblings = false;                // a level is the sibling of an EGLImage
+  std::shared_ptr<SurfaceTexture> surface;  // its images are those of a surface (3.6 of EGL 1.5)
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
 
@@ -88,6 +96,7 @@ struct RenderbufferObject {
   // Of the two, what the internal format has; none before there is storage, or when it has no size.
   std::shared_ptr<pipeline::ColourBuffer> colour;
   std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
+  EglImagePtr sibling;
 };
 using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
 
@@ -153,6 +162,8 @@ struct ShareGroup {
 bool is_complete(const TextureObject& texture);
 // Whether the base levels of all faces fit each other, for what has faces.
 bool is_cube_complete(const TextureObject& texture);
+// Whether it has all the levels that a mipmap filter asks for.
+bool has_mipmap(const TextureObject& texture);
 bool is_mipmap_filter(GLenum min_filter);
 
 // The last level that a mipmap of it has: q (3.7.7), for the base level at hand or one whose longer

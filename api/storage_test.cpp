@@ -194,43 +194,6 @@ TEST_F(Storage, IsDrawnTo) {
   EXPECT_EQ(drawn(8), kGreen);
 }
 
-TEST_F(Storage, Errors) {
-  const auto give = [](GLenum target, GLsizei levels, GLenum internal, GLsizei w, GLsizei h) {
-    glTexStorage2DEXT(target, levels, internal, w, h);
-    return glGetError();
-  };
-  const GLenum value = GL_INVALID_VALUE, enumerant = GL_INVALID_ENUM,
-               operation = GL_INVALID_OPERATION;
-  // The default texture has no storage.
-  EXPECT_EQ(give(k2D, 1, GL_RGBA8_OES, 4, 4), operation);
-  EXPECT_EQ(give(kCube, 1, GL_RGBA8_OES, 4, 4), operation);
-  texture();
-  texture(kCube);
-  EXPECT_EQ(give(kFirst, 1, GL_RGBA8_OES, 4, 4), enumerant);
-  EXPECT_EQ(give(0, 1, GL_RGBA8_OES, 4, 4), enumerant);
-  for (const GLenum internal :
-       {GL_RGBA, GL_RGB, GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_BGRA_EXT,
-        GL_PALETTE4_RGB8_OES, GL_LUMINANCE4_ALPHA4_OES, GL_DEPTH24_STENCIL8_OES,
-        GL_DEPTH_COMPONENT16_OES, GL_RGB10_A2_EXT, GL_RGBA32F_EXT}) {
-    EXPECT_EQ(give(k2D, 1, internal, 4, 4), enumerant) << std::hex << internal;
-  }
-  EXPECT_EQ(give(k2D, 0, GL_RGBA8_OES, 4, 4), value);
-  EXPECT_EQ(give(k2D, -1, GL_RGBA8_OES, 4, 4), value);
-  EXPECT_EQ(give(k2D, 1, GL_RGBA8_OES, 0, 4), value);
-  EXPECT_EQ(give(k2D, 1, GL_RGBA8_OES, 4, -1), value);
-  EXPECT_EQ(give(k2D, 1, GL_RGBA8_OES, 16385, 4), value);
-  EXPECT_EQ(give(kCube, 1, GL_RGBA8_OES, 4, 8), value);
-  EXPECT_EQ(give(k2D, 4, GL_RGBA8_OES, 4, 4), operation);
-  EXPECT_EQ(give(k2D, 5, GL_RGBA8_OES, 15, 1), operation);
-  EXPECT_EQ(give(k2D, 1, GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE, 6, 4), operation);
-  EXPECT_EQ(give(k2D, 2, GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE, 12, 12), operation);
-  EXPECT_EQ(give(k2D, 1, GL_COMPRESSED_RGB_PVRTC_2BPPV1_IMG, 12, 12), operation);
-  EXPECT_EQ(parameter(GL_TEXTURE_IMMUTABLE_FORMAT_EXT), 0);
-  glTexParameteri(k2D, GL_TEXTURE_IMMUTABLE_FORMAT_EXT, GL_TRUE);
-  EXPECT_ERROR(GL_INVALID_ENUM);
-  EXPECT_EQ(give(k2D, 4, GL_RGBA8_OES, 15, 1), GLenum{GL_NO_ERROR});
-}
-
 class CopyLevels : public Storage {
  protected:
   static GLenum copy(GLuint to, GLuint from, GLint base, GLsizei count) {
@@ -272,32 +235,6 @@ TEST_F(CopyLevels, WaitForPendingDraws) {
   draw_half(1);
   EXPECT_EQ(left(), kGreen);
   EXPECT_EQ(right(), kRed);
-}
-
-TEST_F(CopyLevels, Errors) {
-  const GLenum value = GL_INVALID_VALUE, operation = GL_INVALID_OPERATION;
-  const GLuint large = storage(3, 16, 16), small = storage(2, 8, 8);
-  const GLuint other_format = storage(3, 16, 16, GL_RGB8_OES), other_size = storage(2, 12, 12);
-  const GLuint cube = texture(kCube);
-  glTexStorage2DEXT(kCube, 3, GL_RGBA8_OES, 16, 16);
-  glDisable(kCube);
-  const GLuint plain = one_colour_texture(kRed);
-  EXPECT_EQ(copy(0, small, 0, 1), value);
-  EXPECT_EQ(copy(large, 0, 0, 1), value);
-  EXPECT_EQ(copy(large, 999, 0, 1), operation);
-  EXPECT_EQ(copy(999, small, 0, 1), operation);
-  EXPECT_EQ(copy(plain, small, 0, 1), operation);
-  EXPECT_EQ(copy(large, plain, 0, 1), operation);
-  EXPECT_EQ(copy(large, other_format, 0, 1), operation);
-  EXPECT_EQ(copy(large, cube, 0, 1), operation);
-  EXPECT_EQ(copy(large, other_size, 0, 1), operation);
-  EXPECT_EQ(copy(small, large, 0, 2), operation);
-  EXPECT_EQ(copy(small, large, 1, 2), GLenum{GL_NO_ERROR});
-  EXPECT_EQ(copy(large, small, -1, 1), value);
-  EXPECT_EQ(copy(large, small, 2, 1), value);
-  EXPECT_EQ(copy(large, small, 0, 0), value);
-  EXPECT_EQ(copy(large, small, 1, 2), value);
-  EXPECT_EQ(copy(large, small, 0, 2), GLenum{GL_NO_ERROR});
 }
 
 // A level of 13 texels has half of 6, as one of 12 has.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/egl_image.h"
 #include "api/framebuffer.h"
 
 namespace clearpipe::api {
@@ -21,9 +22,14 @@ pipeline::ImageLevel make_level(int width, int height, GLenum format = GL_RGBA);
 // What generated levels are derived up to: q, for a base level of that size (3.7.7).
 int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base);
 
-// Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
+// Gives the texture new levels from `first` on, as an application specifies them: it shares nothing
+// any more. Nothing changes when memory does not suffice.
 void install_levels(Context& context, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format);
+
+// As above, with levels that are generated. A mipmap that was complete keeps its structure, and so
+// what it shares (issues 4 and 5 of EGL_KHR_gl_image). Finish drawing to the texture before.
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels);
 
 // Appends the levels that follow from the base level, which is there, up to a last one (3.7.7,
 // automatic mipmap generation).
@@ -42,12 +48,14 @@ void make_writable(Context& context, TextureObject& texture);
 // Changes texels of one image, and the levels that follow from it.
 template <typename Change>
 void change_level(Context& c, TextureObject& texture, size_t image, const Change& change) {
-  const TextureLevel of = texture.level[image];
-  if (generates_mipmap(texture, image, of.internal)) {
+  if (generates_mipmap(texture, image, texture.level[image].internal)) {
+    refresh(texture);
     finish_drawing_to(c, texture);
-    pipeline::ImageLevel copy = texture.image->levels[image];
-    change(copy);
-    replace_level(c, texture, image, std::move(copy), of.internal, of.format);
+    Levels levels;
+    levels.push_back(texture.image->levels[image]);
+    change(levels[0]);
+    add_mipmaps(levels, last_generated_level(texture, levels[0]));
+    regenerate_levels(texture, image, std::move(levels));
     return;
   }
   make_writable(c, texture);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "api/compressed_format.h"
+#include "api/egl_image.h"
 #include "api/exec.h"
 #include "api/pixel_format.h"
 #include "api/texture_levels.h"
@@ -66,6 +67,8 @@ void tex_storage(Context& c, GLenum target, GLsizei levels, GLenum internal, GLs
     }
   }
   finish_drawing_to(c, texture);
+  orphan(texture);
+  texture.surface = nullptr;
   texture.image = std::move(image);
   texture.uses.clear();
   texture.level = level;
@@ -75,22 +78,20 @@ void tex_storage(Context& c, GLenum target, GLsizei levels, GLenum internal, GLs
 
 void copy_texture_levels(Context& c, GLuint destination, GLuint source, GLint base, GLsizei count) {
   TextureObject& to = *c.share->textures.find(destination);
-  const TextureObject& from = *c.share->textures.find(source);
-  const ptrdiff_t first = matching_level(to, from, base, count);
+  TextureObject& from = *c.share->textures.find(source);
+  const int first = matching_level(to, from, base, count);
+  refresh(from);
   finish_drawing_to(c, from);
-  const ptrdiff_t faces = to.target == GL_TEXTURE_CUBE_MAP_OES ? pipeline::kCubeFaces : 1;
-  std::vector<Levels> copies;
-  for (ptrdiff_t face = 0; face < faces; ++face) {
-    const auto begin = from.image->levels.begin() + face * kTextureLevels + base;
-    copies.emplace_back(begin, begin + count);
-  }
   make_writable(c, to);
-  for (ptrdiff_t face = 0; face < faces; ++face) {
-    Levels& levels = copies[static_cast<size_t>(face)];
-    std::move(levels.begin(), levels.end(),
-              to.image->levels.begin() + face * kTextureLevels + first);
+  const int faces = to.target == GL_TEXTURE_CUBE_MAP_OES ? pipeline::kCubeFaces : 1;
+  for (int face = 0; face < faces; ++face) {
+    for (int i = 0; i < count; ++i) {
+      const int offset = face * kTextureLevels + i;
+      const auto& texels = from.image->levels[static_cast<size_t>(offset + base)].texels;
+      std::copy(texels.begin(), texels.end(),
+                to.image->levels[static_cast<size_t>(offset + first)].texels.begin());
+    }
   }
-  ++to.version;
 }
 
 }  // namespace exec

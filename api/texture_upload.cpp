@@ -91,6 +91,7 @@ void generate_mipmap(Context& c, GLenum target) {
   TextureObject& texture = *bound_texture(c, target);
   const TextureLevel base = texture.level[0];
   if (base.width == 0 || base.height == 0) return;
+  refresh(texture);
   finish_drawing_to(c, texture);
   const size_t count = target == GL_TEXTURE_CUBE_MAP_OES ? pipeline::kCubeFaces : 1;
   std::vector<Levels> mipmaps(count);
@@ -102,8 +103,7 @@ void generate_mipmap(Context& c, GLenum target) {
   if (mipmaps[0].empty()) return;
   // From the last face on, after which there is room for all: no call but the first can fail.
   for (size_t face = count; face-- > 0;) {
-    install_levels(c, texture, face * kTextureLevels + 1, std::move(mipmaps[face]), base.internal,
-                   base.format);
+    regenerate_levels(texture, face * kTextureLevels + 1, std::move(mipmaps[face]));
   }
 }
 

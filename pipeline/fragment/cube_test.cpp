@@ -117,9 +117,9 @@ TEST_F(CubeTest, FaceAndPlace) {
   image->levels.resize(kCubeFaces * kMaxLevels);
   for (uint32_t face = 0; face < 6; ++face) {
     ImageLevel& level = image->levels[face * kMaxLevels];
-    level = {kSize, kSize, {}};
+    level = {kSize, kSize, Texels(kSize * kSize)};
     for (uint32_t i = 0; i < kSize * kSize; ++i) {
-      level.texels.push_back(face * 10 | i % kSize << 8 | i / kSize << 16);
+      level.texels[i] = face * 10 | i % kSize << 8 | i / kSize << 16;
     }
   }
   Sampler& sampler = state_.unit[2].sampler;
@@ -159,9 +159,9 @@ TEST_F(CubeTest, LevelOfDetail) {
   for (size_t face = 0; face < 6; ++face) {
     for (int i = 0; i < kLevels; ++i) {
       const int size = 256 >> i;
-      image->levels[face * kMaxLevels + static_cast<size_t>(i)] = {
-          size, size,
-          std::vector<uint32_t>(static_cast<size_t>(size * size), static_cast<uint32_t>(16 * i))};
+      ImageLevel& level = image->levels[face * kMaxLevels + static_cast<size_t>(i)];
+      level = {size, size, Texels(static_cast<size_t>(size * size))};
+      std::fill(level.texels.begin(), level.texels.end(), static_cast<uint32_t>(16 * i));
     }
   }
   Sampler& sampler = state_.unit[2].sampler;
