@@ -177,20 +177,15 @@ void TilePlanes::store() {
 }
 
 void TilePlanes::resolve() {
-  const auto first = colour_.begin(), end = first + samples_;
-  if (std::none_of(first, end, [](const TilePlane& p) { return p.changed(); })) return;
+  // Commands change all samples, or none.
+  const TilePlane& first = colour_[0];
+  if (!first.changed()) return;
   const ColourBuffer& to = *target_.colour;
   alignas(64) uint32_t memory[kTilePixels];
   TilePlane pixels = pixels_of(to, tile_index_, tile(), memory);
-  if (std::all_of(first, end, [&](const TilePlane& p) {
-        return p.is_uniform() && p.uniform_value() == first->uniform_value();
-      })) {
-    pixels.set_uniform(first->uniform_value());
+  if (first.is_uniform()) {
+    pixels.set_uniform(first.uniform_value());
   } else {
-    // From now on the samples are kept, those too that nothing was drawn to.
-    const bool kept = !samples_discarded();
-    std::for_each(first, end, [](TilePlane& p) { p.load(); });
-    if (!kept) std::for_each(first, end, [](TilePlane& p) { p.change(); });
     pixels.overwrite();
     resolve_samples(tiles_.tiles.data(), pixels.memory());
   }
