@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "pipeline/surface.h"
 
 namespace clearpipe::api {
@@ -35,6 +38,28 @@ void finish(Context* context) noexcept;
 // Replaces the targets, for a surface that was resized or swapped. Finish first.
 void set_targets(Context* context, const pipeline::Target& draw,
                  const pipeline::Target& read) noexcept;
+
+// EGLImages (3.9 of EGL 1.5): a level of a texture or a renderbuffer of the context's share group
+// is shared under a handle, which OES_EGL_image takes in any context until it is destroyed. What
+// shares the image goes on sharing it after that. Finish the thread's own context before: its frame
+// may draw to the source.
+enum class ImageSource { kTexture2D, kRenderbuffer };
+enum class ImageError { kNone, kBadParameter, kBadMatch, kBadAccess, kBadAlloc };
+ImageError create_egl_image(Context* context, ImageSource source, unsigned name, int level,
+                            const void* handle) noexcept;
+void destroy_egl_image(const void* handle) noexcept;
+
+// eglBindTexImage (3.6 of EGL 1.5): the texture bound to the context's active unit gets the colours
+// of a surface as its levels, from the base level on, as a copy. With `mipmap`, a texture that
+// wants it gets those above the base level by mipmap generation. The result stands for the binding,
+// which ends when it is released, or when the texture is specified otherwise or deleted: then it
+// expires. Nothing is bound if it is expired from the start: memory does not suffice. Finish
+// before.
+struct SurfaceTexture;
+std::weak_ptr<SurfaceTexture> bind_surface_texture(
+    Context* context, const std::vector<std::shared_ptr<pipeline::ColourBuffer>>& levels,
+    bool alpha, bool mipmap) noexcept;
+void release_surface_texture(std::weak_ptr<SurfaceTexture> binding) noexcept;
 
 using Proc = void (*)();
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/draw.h"
+#include "api/egl_image.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
@@ -20,6 +21,7 @@ void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
     const TextureUnitState& unit = c.state.texture.unit[u];
     if (!unit.enabled) continue;
+    refresh(*unit.texture);
     if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
     if (samples_its_target(c, *unit.texture)) {
       c.note_slow(Slow::kSamplesTarget);
@@ -41,9 +43,9 @@ void update_draw_state(Context& c) {
 }
 
 void note_texture_uses(Context& c) {
-  note_drawn_texture(c);
+  note_drawn_image(c);
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (c.fragment_state.unit[u].enabled) c.state.texture.unit[u].texture->uses.note(c.clock);
+    if (c.fragment_state.unit[u].enabled) note_uses(c, *c.state.texture.unit[u].texture);
   }
 }
 
@@ -221,7 +223,7 @@ void clear(Context& c, GLbitfield mask) {
   command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
-  note_drawn_texture(c);
+  note_drawn_image(c);
   if (!c.frame.clear(command)) c.set_error(kOutOfMemory);
 }
 

@@ -125,6 +125,9 @@ void framebuffer_texture_multisample(Context&, GLenum target, GLenum point, GLen
 void get_framebuffer_attachment_parameter(Context&, GLenum target, GLenum point, GLenum pname,
                                           GLint* params);
 void discard_framebuffer(Context&, GLenum target, GLsizei n, const GLenum* attachments);
+// egl_image.cpp
+void egl_image_target_texture(Context&, GLenum target, const void* image);
+void egl_image_target_renderbuffer(Context&, GLenum target, const void* image);
 // draw.cpp
 void clear(Context&, GLbitfield mask);
 void read_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,

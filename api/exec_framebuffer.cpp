@@ -72,6 +72,7 @@ void renderbuffer_storage_multisample(Context& c, GLenum, GLsizei samples, GLenu
   r.internal = internal;
   r.colour = std::move(colour);
   r.depth_stencil = std::move(depth_stencil);
+  r.sibling = nullptr;
 }
 
 void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <new>
 
+#include "api/egl_image.h"
+
 namespace clearpipe::api {
 
 namespace {
@@ -70,25 +72,28 @@ GLenum status_of(const FramebufferObject& f) {
 }
 
 // A level of a texture as a buffer to draw to: the same memory.
-std::shared_ptr<pipeline::ColourBuffer> buffer_of(const TextureObject& texture, size_t level) {
-  pipeline::ImageLevel& from = texture.image->levels[level];
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t level) {
+  refresh(texture);
+  const pipeline::ImageLevel& from = texture.image->levels[level];
   auto buffer = std::make_shared<pipeline::ColourBuffer>();
   buffer->width = from.width;
   buffer->height = from.height;
-  buffer->pixels = std::shared_ptr<uint32_t[]>(texture.image, from.texels.data());
+  buffer->pixels = from.texels.memory();
   buffer->has_alpha = texture.level[level].format == GL_RGBA;
   return buffer;
 }
 
-// The same of an attachment, with its implicit multisample buffer, for the size that the level has
-// now (EXT_multisampled_render_to_texture).
+// The same of an attachment, with its implicit multisample buffer: a new one if the level has other
+// memory than before (EXT_multisampled_render_to_texture).
 std::shared_ptr<pipeline::ColourBuffer> buffer_of(Attachment& a) {
   auto buffer = buffer_of(*a.texture, static_cast<size_t>(a.level));
   if (a.samples == 0) return buffer;
   const size_t tiles = pipeline::tile_count(buffer->width, buffer->height);
-  if (!a.sample_buffer || a.sample_buffer->discarded.size() != tiles) {
+  if (!a.sample_buffer || a.sample_buffer->discarded.size() != tiles ||
+      a.sampled.lock() != buffer->pixels) {
     a.sample_buffer = pipeline::make_sample_buffer(buffer->width, buffer->height);
     if (!a.sample_buffer) throw std::bad_alloc();
+    a.sampled = buffer->pixels;
   }
   buffer->samples = a.sample_buffer;
   return buffer;
@@ -112,6 +117,7 @@ pipeline::Target target_of(FramebufferObject& f) {
   pipeline::Target target;
   target.mirrored = false;
   if (f.colour.renderbuffer) {
+    refresh(*f.colour.renderbuffer);
     target.colour = f.colour.renderbuffer->colour;
   } else if (f.colour.texture) {
     target.colour = buffer_of(f.colour);
@@ -129,7 +135,7 @@ bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]
 bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha && a->samples == b->samples;
+         a->has_alpha == b->has_alpha && a->uniform == b->uniform && a->samples == b->samples;
 }
 bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
   if (a == b || !a || !b) return a == b;
@@ -145,6 +151,17 @@ bool same(const pipeline::Target& a, const pipeline::Target& b) {
 constexpr Invalid kNoSurface{GL_INVALID_FRAMEBUFFER_OPERATION_OES,
                              "the context is current without a surface "
                              "(OES_surfaceless_context)"};
+
+// Whether the target is one of the first levels of the texture: itself, or through an EGLImage.
+bool draws_to(const Context& c, const TextureObject& texture, size_t levels) {
+  if (!c.draw.colour) return false;
+  const auto first = texture.image->levels.begin();
+  return std::any_of(first,
+                     first + static_cast<ptrdiff_t>(std::min(levels, texture.image->levels.size())),
+                     [&c](const pipeline::ImageLevel& level) {
+                       return level.texels.memory() == c.draw.colour->pixels;
+                     });
+}
 
 }  // namespace
 
@@ -215,17 +232,17 @@ void update_targets(Context& c) {
   if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
 }
 
-void note_drawn_texture(Context& c) {
-  if (c.framebuffer && c.framebuffer->colour.texture) {
-    c.framebuffer->colour.texture->uses.note(c.clock);
-  }
+void note_drawn_image(Context& c) {
+  if (!c.framebuffer) return;
+  const Attachment& colour = c.framebuffer->colour;
+  if (colour.texture) note_uses(c, *colour.texture);
+  if (colour.renderbuffer) note_uses(c, *colour.renderbuffer);
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (c.framebuffer && c.framebuffer->colour.texture.get() == &texture) {
-    c.finish_frame(Slow::kFinishes);
-    discard_samples(*c.framebuffer);
-  }
+  if (!draws_to(c, texture, texture.image->levels.size())) return;
+  c.finish_frame(Slow::kFinishes);
+  if (c.framebuffer) discard_samples(*c.framebuffer);
 }
 
 void discard_samples(FramebufferObject& framebuffer) {
@@ -235,8 +252,7 @@ void discard_samples(FramebufferObject& framebuffer) {
 }
 
 bool samples_its_target(const Context& c, const TextureObject& texture) {
-  if (!c.framebuffer || c.framebuffer->colour.texture.get() != &texture) return false;
-  return is_mipmap_filter(texture.min_filter) || c.framebuffer->colour.level == 0;
+  return draws_to(c, texture, is_mipmap_filter(texture.min_filter) ? kTextureLevels : 1);
 }
 
 Attachment* attachment_point(FramebufferObject& framebuffer, GLenum name) {

@@ -24,9 +24,9 @@ pipeline::Target read_target(const Context& context);
 void update_targets(Context& context);
 void use_targets(Context& context, const pipeline::Target& draw, const pipeline::Target& read);
 
-// With each command that draws: the frame keeps the texture it draws to from being changed in
-// place.
-void note_drawn_texture(Context& context);
+// With each command that draws: the frame keeps the texture or the EGLImage it draws to from being
+// changed in place.
+void note_drawn_image(Context& context);
 
 // Before the texture's images are read or changed outside of a frame: executes what this context
 // has recorded that draws to one of them.

@@ -125,42 +125,6 @@ TEST_F(MultisampledTexture, SamplesOfAllAttachmentsMustBeTheSame) {
   EXPECT_EQ(status(), static_cast<GLenum>(GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE_EXT));
 }
 
-TEST_F(MultisampledTexture, Errors) {
-  attach(4);
-  const auto expect_error = [&](GLenum error, GLenum target, GLenum point, GLenum texture_target,
-                                GLuint name, GLint level, GLsizei samples) {
-    glFramebufferTexture2DMultisampleEXT(target, point, texture_target, name, level, samples);
-    EXPECT_ERROR(error);
-    EXPECT_EQ(attached(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT), 4);
-  };
-  expect_error(GL_INVALID_ENUM, kRb, kColourPoint, GL_TEXTURE_2D, texture_, 0, 0);
-  expect_error(GL_INVALID_ENUM, kFb, GL_DEPTH_ATTACHMENT_OES, GL_TEXTURE_2D, texture_, 0, 0);
-  expect_error(GL_INVALID_ENUM, kFb, kColourPoint, GL_TEXTURE, texture_, 0, 0);
-  expect_error(GL_INVALID_OPERATION, kFb, kColourPoint, GL_TEXTURE_2D, 9999, 0, 0);
-  expect_error(GL_INVALID_VALUE, kFb, kColourPoint, GL_TEXTURE_2D, texture_, -1, 0);
-  expect_error(GL_INVALID_VALUE, kFb, kColourPoint, GL_TEXTURE_2D, texture_, 0, 5);
-  expect_error(GL_INVALID_VALUE, kFb, kColourPoint, GL_TEXTURE_2D, texture_, 0, -1);
-  renderbuffer(GL_DEPTH_ATTACHMENT_OES, GL_DEPTH_COMPONENT16_OES, 4);
-  const auto expect_storage_error = [&](GLenum error, GLenum target, GLsizei samples, GLenum format,
-                                        GLsizei size) {
-    glRenderbufferStorageMultisampleEXT(target, samples, format, size, size);
-    EXPECT_ERROR(error);
-    EXPECT_EQ(samples_of_renderbuffer(), 4);
-  };
-  expect_storage_error(GL_INVALID_ENUM, kFb, 0, GL_RGBA8_OES, 4);
-  expect_storage_error(GL_INVALID_ENUM, kRb, 0, GL_RGBA, 4);
-  expect_storage_error(GL_INVALID_VALUE, kRb, 5, GL_RGBA8_OES, 4);
-  expect_storage_error(GL_INVALID_VALUE, kRb, -1, GL_RGBA8_OES, 4);
-  expect_storage_error(GL_INVALID_VALUE, kRb, 1, GL_RGBA8_OES, 1 << 20);
-  // The window-system framebuffer and renderbuffer 0 take nothing.
-  glBindRenderbufferOES(kRb, 0);
-  glRenderbufferStorageMultisampleEXT(kRb, 4, GL_RGBA8_OES, 4, 4);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
-  glBindFramebufferOES(kFb, 0);
-  attach(4);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
-}
-
 TEST_F(MultisampledTexture, EdgesAreResolvedIntoTheTexture) {
   attach();
   draw_slanted();

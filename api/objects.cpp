@@ -19,10 +19,9 @@ bool is_mipmap_filter(GLenum min_filter) {
 
 // OES_required_internalformat would have the format and type of all levels agree too; as with the
 // core and with Mesa, levels given in different types are complete here.
-bool is_complete(const TextureObject& texture) {
+bool has_mipmap(const TextureObject& texture) {
   const TextureLevel& base = texture.level[0];
   if (base.width == 0 || base.height == 0) return false;
-  if (!is_mipmap_filter(texture.min_filter)) return true;
   int width = base.width, height = base.height;
   for (size_t i = 1, last = static_cast<size_t>(last_mipmap_level(texture)); i <= last; ++i) {
     width = std::max(1, width / 2);
@@ -33,6 +32,12 @@ bool is_complete(const TextureObject& texture) {
     }
   }
   return true;
+}
+
+bool is_complete(const TextureObject& texture) {
+  return is_mipmap_filter(texture.min_filter)
+             ? has_mipmap(texture)
+             : texture.level[0].width > 0 && texture.level[0].height > 0;
 }
 
 // q = min(p, level_max), where level p is 1x1 (APPLE_texture_max_level).

@@ -47,10 +47,16 @@ struct BufferObject {
 };
 using BufferPtr = std::shared_ptr<BufferObject>;
 
+struct EglImage;  // egl_image.h
+using EglImagePtr = std::shared_ptr<EglImage>;
+
+struct SurfaceTexture;  // surface_texture.cpp
+
 struct TextureLevel {
   int width = 0, height = 0;
   GLenum internal = 0;  // as specified, sized and compressed ones too: levels must agree (3.7.9)
   GLenum format = 0;    // its base format: ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA
+  EglImagePtr sibling = nullptr;  // what it shares its texels with
 };
 
 // Table 6.14.
@@ -71,7 +77,9 @@ struct TextureObject {
   std::array<TextureLevel, kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
-  FrameUses uses;  // of image
+  FrameUses uses;                           // of image
+  bool has_siblings = false;                // a level is the sibling of an EGLImage
+  std::shared_ptr<SurfaceTexture> surface;  // its images are those of a surface (3.6 of EGL 1.5)
 };
 using TexturePtr = std::shared_ptr<TextureObject>;
 
@@ -86,6 +94,7 @@ struct RenderbufferObject {
   // Of the two, what the internal format has; none before there is storage, or when it has no size.
   std::shared_ptr<pipeline::ColourBuffer> colour;
   std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
+  EglImagePtr sibling;
 };
 using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
 
@@ -98,6 +107,7 @@ struct Attachment {
   // buffer, which is made when it is drawn to.
   int samples = 0;
   std::shared_ptr<pipeline::SampleBuffer> sample_buffer = nullptr;
+  std::weak_ptr<uint32_t[]> sampled = {};  // the pixels it belongs to
 };
 
 struct FramebufferObject {
@@ -150,6 +160,10 @@ struct ShareGroup {
 
 // Whether the texture is complete (3.7.9): an incomplete one disables its unit.
 bool is_complete(const TextureObject& texture);
+
+// Whether it has all the levels that a mipmap filter asks for.
+bool has_mipmap(const TextureObject& texture);
+
 bool is_mipmap_filter(GLenum min_filter);
 
 // The last level that a mipmap of it has: q (3.7.7).

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "api/pixel_format.h"
+#include "api/surface_texture.h"
 
 namespace clearpipe::api {
 
@@ -52,33 +53,43 @@ pipeline::ImageLevel reduced(const pipeline::ImageLevel& from) {
   return to;
 }
 
+void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
+                GLenum format) {
+  const size_t end = first + levels.size();
+  const bool pending = is_pending(texture);
+  const auto image = pending ? copy_image(texture, first, end) : texture.image;
+  if (image->levels.size() < end) image->levels.resize(end);
+  texture.image = image;
+  if (pending) texture.uses.clear();
+  for (size_t i = 0; i < levels.size(); ++i) {
+    TextureLevel& level = texture.level[first + i];
+    level = {levels[i].width, levels[i].height, internal, format, level.sibling};
+    image->levels[first + i].width = levels[i].width;
+    image->levels[first + i].height = levels[i].height;
+    replace_texels(texture, first + i, std::move(levels[i].texels));
+  }
+  ++texture.version;
+}
+
 }  // namespace
 
 pipeline::ImageLevel make_level(int width, int height) {
   return {width, height,
-          std::vector<uint32_t>(static_cast<size_t>(width) * static_cast<size_t>(height))};
+          pipeline::Texels(static_cast<size_t>(width) * static_cast<size_t>(height))};
 }
 
 void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format) {
   finish_drawing_to(c, texture);
-  const size_t end = first + levels.size();
-  if (texture.uses.pending()) {
-    auto image = std::make_shared<pipeline::Image>();
-    image->levels.resize(std::max(end, texture.image->levels.size()));
-    for (size_t i = 0; i < texture.image->levels.size(); ++i) {
-      if (i < first || i >= end) image->levels[i] = texture.image->levels[i];
-    }
-    texture.image = std::move(image);
-    texture.uses.clear();
-  } else if (texture.image->levels.size() < end) {
-    texture.image->levels.resize(end);
-  }
-  for (size_t i = 0; i < levels.size(); ++i) {
-    texture.level[first + i] = {levels[i].width, levels[i].height, internal, format};
-    texture.image->levels[first + i] = std::move(levels[i]);
-  }
-  ++texture.version;
+  forget_surface(texture);
+  orphan(texture);
+  set_levels(texture, first, std::move(levels), internal, format);
+}
+
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels) {
+  if (!has_mipmap(texture)) orphan(texture);
+  const TextureLevel base = texture.level[0];
+  set_levels(texture, first, std::move(levels), base.internal, base.format);
 }
 
 void add_mipmaps(Levels& levels) {
@@ -102,13 +113,12 @@ void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::Im
 }
 
 void make_writable(Context& c, TextureObject& texture) {
+  refresh(texture);
   finish_drawing_to(c, texture);
   size_t bytes = 0;
   for (const pipeline::ImageLevel& l : texture.image->levels) bytes += 4 * l.texels.size();
-  if (may_write_in_place(c, texture.uses, bytes)) return;
-  texture.image = std::make_shared<pipeline::Image>(*texture.image);
-  texture.uses.clear();
-  ++texture.version;
+  if (may_write_in_place(c, texture, bytes)) return;
+  replace_image(texture, std::make_shared<pipeline::Image>(*texture.image));
 }
 
 }  // namespace clearpipe::api

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/egl_image.h"
 #include "api/framebuffer.h"
 
 namespace clearpipe::api {
@@ -18,9 +19,14 @@ using Levels = std::vector<pipeline::ImageLevel>;
 // A level with texels of zero.
 pipeline::ImageLevel make_level(int width, int height);
 
-// Gives the texture new levels from `first` on. Nothing changes when memory does not suffice.
+// Gives the texture new levels from `first` on, as an application specifies them: it shares nothing
+// any more. Nothing changes when memory does not suffice.
 void install_levels(Context& context, TextureObject& texture, size_t first, Levels levels,
                     GLenum internal, GLenum format);
+
+// As above, with levels that are generated. A mipmap that was complete keeps its structure, and so
+// what it shares (issues 4 and 5 of EGL_KHR_gl_image). Finish drawing to the texture before.
+void regenerate_levels(TextureObject& texture, size_t first, Levels levels);
 
 // Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
 void add_mipmaps(Levels& levels);
@@ -39,12 +45,14 @@ void make_writable(Context& context, TextureObject& texture);
 template <typename Change>
 void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
   const size_t index = static_cast<size_t>(level);
-  const TextureLevel of = texture.level[index];
-  if (generates_mipmap(texture, level, of.internal)) {
+  if (generates_mipmap(texture, level, texture.level[index].internal)) {
+    refresh(texture);
     finish_drawing_to(c, texture);
-    pipeline::ImageLevel copy = texture.image->levels[index];
-    change(copy);
-    replace_level(c, texture, level, std::move(copy), of.internal, of.format);
+    Levels levels;
+    levels.push_back(texture.image->levels[index]);
+    change(levels[0]);
+    add_mipmaps(levels);
+    regenerate_levels(texture, 0, std::move(levels));
     return;
   }
   make_writable(c, texture);

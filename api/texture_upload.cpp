@@ -105,14 +105,13 @@ void generate_mipmap(Context& c, GLenum) {
   TextureObject& texture = *c.active_unit().texture;
   const TextureLevel base = texture.level[0];
   if (base.width == 0 || base.height == 0) return;
+  refresh(texture);
   finish_drawing_to(c, texture);
   Levels levels;
   levels.push_back(texture.image->levels[0]);
   add_mipmaps(levels);
   levels.erase(levels.begin());
-  if (!levels.empty()) {
-    install_levels(c, texture, 1, std::move(levels), base.internal, base.format);
-  }
+  if (!levels.empty()) regenerate_levels(texture, 1, std::move(levels));
 }
 
 }  // namespace clearpipe::api::exec

@@ -130,6 +130,9 @@ Invalid multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const
                           GLsizei n);
 Invalid multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
                             const void* const* indices, GLsizei n);
+// egl_image.cpp
+Invalid egl_image_target_texture(const Context&, GLenum target, const void* image);
+Invalid egl_image_target_renderbuffer(const Context&, GLenum target, const void* image);
 // validate_debug.cpp
 Invalid debug_message_control(const Context&, GLenum source, GLenum type, GLenum severity,
                               GLsizei count, const GLuint* ids, GLboolean);

@@ -195,7 +195,11 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       value = 1;
       break;
     case EGL_BIND_TO_TEXTURE_RGB:
+      value = EGL_TRUE;
+      break;
     case EGL_BIND_TO_TEXTURE_RGBA:
+      value = config.alpha > 0 ? EGL_TRUE : EGL_FALSE;
+      break;
     case EGL_NATIVE_RENDERABLE:
       value = EGL_FALSE;
       break;

@@ -9,9 +9,9 @@ namespace clearpipe::icd {
 
 struct ContextAttributes {
   EGLint major = 1, minor = 0;
-  bool debug = false;          // accepted; there is no more to tell than in other contexts
+  bool debug = false;
   bool robust_access = false;  // refused: it promises GL_EXT_robustness
-  bool no_error = false;       // accepted; errors are reported nevertheless, which is allowed
+  bool no_error = false;
   EGLint reset_notification = EGL_NO_RESET_NOTIFICATION;
 };
 

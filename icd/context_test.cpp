@@ -64,6 +64,24 @@ TEST_F(ContextTest, Attributes) {
   expect_refused({EGL_WIDTH, 1}, EGL_BAD_ATTRIBUTE);
 }
 
+// What the attributes ask for reaches the context (KHR_debug, KHR_no_error).
+TEST_F(ContextTest, FlagsReachTheContext) {
+  constexpr GLenum kDebugOutput = 0x92e0;  // GL_DEBUG_OUTPUT_KHR
+  const auto error_after_a_mistake = [&](const std::vector<EGLint>& attributes, bool debug) {
+    EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_with(attributes)));
+    EXPECT_EQ(glIsEnabled(kDebugOutput), debug ? GL_TRUE : GL_FALSE);
+    glMatrixMode(GL_RGBA);
+    return glGetError();
+  };
+  EXPECT_EQ(error_after_a_mistake({}, false), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(error_after_a_mistake({EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE}, true),
+            static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(error_after_a_mistake({EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR}, true),
+            static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(error_after_a_mistake({EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE}, false),
+            static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST_F(ContextTest, CreateAndDestroyErrors) {
   EXPECT_EGL_FAIL(eglCreateContext(display, random_handle(), EGL_NO_CONTEXT, nullptr),
                   EGL_NO_CONTEXT, EGL_BAD_CONFIG);

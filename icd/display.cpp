@@ -86,6 +86,12 @@ void finish_current(const Thread& thread) {
   if (thread.context != nullptr) api::finish(thread.context->context);
 }
 
+void bind_targets(Context& context) {
+  const pipeline::Target none;
+  api::set_targets(context.context, context.draw != nullptr ? context.draw->target : none,
+                   context.read != nullptr ? context.read->target : none);
+}
+
 void release_current(Thread& thread) {
   if (thread.context == nullptr) return;
   api::make_current(nullptr, {}, {});

@@ -30,10 +30,13 @@ struct Object {
 
 struct Surface : Object {
   const Config* config = nullptr;
-  pipeline::Target target;
+  pipeline::Target target;               // what is drawn to and read
+  std::vector<pipeline::Target> levels;  // of a mipmap, one of which is the target
   EGLint width = 0, height = 0;
   bool largest_pbuffer = false;
   bool mipmap_texture = false;
+  EGLint texture_format = EGL_NO_TEXTURE, texture_target = EGL_NO_TEXTURE;
+  std::weak_ptr<api::SurfaceTexture> texture;  // expired: it is bound to none
   EGLint gl_colorspace = EGL_GL_COLORSPACE_LINEAR;
   EGLint swap_behavior = EGL_BUFFER_PRESERVED;
   EGLint multisample_resolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
@@ -51,12 +54,22 @@ struct Context : Object {
   }
 };
 
+// An EGLImage: api/ has what is behind the handle.
+struct Image {
+  void* const handle;
+  explicit Image(void* image_handle) : handle(image_handle) {}
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+  ~Image() { api::destroy_egl_image(handle); }
+};
+
 struct Display {
   EGLenum platform;
   bool initialized = false;
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;
+  std::vector<std::unique_ptr<Image>> images;
 
   explicit Display(EGLenum display_platform) : platform(display_platform) {}
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
@@ -95,6 +108,9 @@ Thread& this_thread();
 // Executes what the thread's context has recorded. Called without the mutex, so that a long frame
 // holds up no other thread; a context that is current here can be freed by no one else.
 void finish_current(const Thread& thread);
+
+// Makes the buffers of the surfaces that a current context has the ones it draws to and reads.
+void bind_targets(Context& context);
 
 // Releases the thread's context and surfaces. Call finish_current before.
 void release_current(Thread& thread);

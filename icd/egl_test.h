@@ -7,6 +7,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES/gl.h>
+#include <GLES/glext.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -40,6 +41,11 @@ inline EGLDisplay surfaceless_display() {
 
 // libglvnd answers some calls itself, before they reach a vendor library.
 inline bool through_libglvnd() { return std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES") != nullptr; }
+
+template <class Function>
+Function proc(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
 
 // A handle that nothing ever had.
 inline void* random_handle() {

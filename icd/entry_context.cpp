@@ -71,7 +71,8 @@ EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_cont
     }
     share = other->context;
   }
-  context->context = api::create_context(share);
+  context->context =
+      api::create_context(share, {context->attributes.debug, context->attributes.no_error});
   if (context->context == nullptr) return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
   display->contexts.push_back(std::move(context));
   return succeed<EGLContext>(display->contexts.back()->handle);

@@ -16,6 +16,7 @@ constexpr const char* kClientExtensions =
 constexpr const char* kDisplayExtensions =
     "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
     "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
+    "EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image EGL_KHR_image EGL_KHR_image_base "
     "EGL_KHR_no_config_context EGL_KHR_reusable_sync EGL_KHR_surfaceless_context "
     "EGL_KHR_wait_sync";
 
@@ -100,6 +101,7 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   for (const auto& context : display->contexts) context->destroyed = true;
   for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
   display->syncs.clear();
+  display->images.clear();
   display->sweep();
   display->initialized = false;
   return succeed(EGL_TRUE);

@@ -4,82 +4,11 @@
 #include <new>
 
 #include "icd/entry.h"
+#include "icd/surface.h"
 
 namespace clearpipe::icd::entry {
 
 namespace {
-
-EGLint parse_boolean(EGLint value, bool& out) {
-  if (value != EGL_FALSE && value != EGL_TRUE) return EGL_BAD_ATTRIBUTE;
-  out = value == EGL_TRUE;
-  return EGL_SUCCESS;
-}
-
-// One attribute of 3.5.2; the EGL error or EGL_SUCCESS.
-EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
-  switch (name) {
-    case EGL_WIDTH:
-      out.width = value;
-      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
-    case EGL_HEIGHT:
-      out.height = value;
-      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
-    case EGL_LARGEST_PBUFFER:
-      return parse_boolean(value, out.largest_pbuffer);
-    case EGL_MIPMAP_TEXTURE:
-      return parse_boolean(value, out.mipmap_texture);
-    case EGL_TEXTURE_FORMAT:  // no config binds to a texture, so only "none" matches
-      if (value == EGL_NO_TEXTURE) return EGL_SUCCESS;
-      return value == EGL_TEXTURE_RGB || value == EGL_TEXTURE_RGBA ? EGL_BAD_MATCH
-                                                                   : EGL_BAD_ATTRIBUTE;
-    case EGL_TEXTURE_TARGET:
-      if (value == EGL_NO_TEXTURE) return EGL_SUCCESS;
-      return value == EGL_TEXTURE_2D ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
-    case EGL_GL_COLORSPACE:  // kept for queries; OpenGL ES 1 does not convert (3.5.1)
-      out.gl_colorspace = value;
-      return value == EGL_GL_COLORSPACE_LINEAR || value == EGL_GL_COLORSPACE_SRGB
-                 ? EGL_SUCCESS
-                 : EGL_BAD_ATTRIBUTE;
-    case EGL_VG_COLORSPACE:  // no config has the bit of the other value (table 3.2)
-      if (value == EGL_VG_COLORSPACE_sRGB) return EGL_SUCCESS;
-      return value == EGL_VG_COLORSPACE_LINEAR ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
-    case EGL_VG_ALPHA_FORMAT:
-      if (value == EGL_VG_ALPHA_FORMAT_NONPRE) return EGL_SUCCESS;
-      return value == EGL_VG_ALPHA_FORMAT_PRE ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
-    default:
-      return EGL_BAD_ATTRIBUTE;
-  }
-}
-
-EGLint parse_pbuffer(const EGLint* list, Surface& out) {
-  for (; list != nullptr && *list != EGL_NONE; list += 2) {
-    const EGLint error = parse_pbuffer_attribute(list[0], list[1], out);
-    if (error != EGL_SUCCESS) return error;
-  }
-  if (out.largest_pbuffer) {
-    out.width = std::min(out.width, kMaxPbuffer);
-    out.height = std::min(out.height, kMaxPbuffer);
-  }
-  return out.width > kMaxPbuffer || out.height > kMaxPbuffer ? EGL_BAD_ALLOC : EGL_SUCCESS;
-}
-
-bool make_target(Surface& surface) {
-  pipeline::Target& target = surface.target;
-  const Config& config = *surface.config;
-  // A surface without pixels still has buffers that can be bound.
-  const int width = std::max(surface.width, 1), height = std::max(surface.height, 1);
-  target.width = surface.width;
-  target.height = surface.height;
-  const int samples = std::max(config.samples, 1);
-  target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0, samples);
-  if (!target.colour) return false;
-  if (config.depth > 0 || config.stencil > 0) {
-    target.depth_stencil = pipeline::make_depth_stencil_buffer(width, height, config.depth > 0,
-                                                               config.stencil > 0, samples);
-    if (!target.depth_stencil) return false;
-  }
-  return true;
-}
 
 // Windows and pixmaps: no config of a surfaceless display renders to them (3.5.1, 3.5.4).
 EGLSurface refuse_native_surface(EGLDisplay dpy, EGLConfig config) {
@@ -87,16 +16,6 @@ EGLSurface refuse_native_surface(EGLDisplay dpy, EGLConfig config) {
   if (initialized_display(dpy) == nullptr) return EGL_NO_SURFACE;
   if (find_config(config) == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
   return fail(EGL_BAD_MATCH, EGL_NO_SURFACE);
-}
-
-// No config binds to a texture, so the format of every surface is EGL_NO_TEXTURE (3.6.1, 3.6.2).
-EGLBoolean refuse_texture(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
-  Display* display = initialized_display(dpy);
-  if (display == nullptr) return EGL_FALSE;
-  if (display->surface(handle) == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
-  if (buffer != EGL_BACK_BUFFER) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
-  return fail(EGL_BAD_MATCH, EGL_FALSE);
 }
 
 }  // namespace
@@ -112,7 +31,7 @@ EGLSurface CreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
   if (const EGLint error = parse_pbuffer(attrib_list, *surface); error != EGL_SUCCESS) {
     return fail(error, EGL_NO_SURFACE);
   }
-  while (!make_target(*surface)) {
+  while (!make_buffers(*surface)) {
     // EGL_LARGEST_PBUFFER: what memory suffices for, by halves (3.5.2).
     if (!surface->largest_pbuffer || (surface->width <= 1 && surface->height <= 1)) {
       return fail(EGL_BAD_ALLOC, EGL_NO_SURFACE);
@@ -214,8 +133,10 @@ EGLBoolean QuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       *value = surface->mipmap_texture ? EGL_TRUE : EGL_FALSE;
       break;
     case EGL_TEXTURE_FORMAT:
+      *value = surface->texture_format;
+      break;
     case EGL_TEXTURE_TARGET:
-      *value = EGL_NO_TEXTURE;
+      *value = surface->texture_target;
       break;
     case EGL_GL_COLORSPACE:
       *value = surface->gl_colorspace;
@@ -239,6 +160,8 @@ EGLBoolean QuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
 
 EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
                          EGLint value) noexcept {
+  const Thread& thread = this_thread();
+  finish_current(thread);
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = initialized_display(dpy);
   if (display == nullptr) return EGL_FALSE;
@@ -247,6 +170,8 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
   switch (attribute) {
     case EGL_MIPMAP_LEVEL:
       surface->mipmap_level = value;
+      select_level(*surface, value);
+      if (thread.context != nullptr) bind_targets(*thread.context);
       break;
     case EGL_MULTISAMPLE_RESOLVE:
       // The box is the default here too.
@@ -268,14 +193,6 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
       return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
   }
   return succeed(EGL_TRUE);
-}
-
-EGLBoolean BindTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer) noexcept {
-  return refuse_texture(dpy, surface, buffer);
-}
-
-EGLBoolean ReleaseTexImage(EGLDisplay dpy, EGLSurface surface, EGLint buffer) noexcept {
-  return refuse_texture(dpy, surface, buffer);
 }
 
 EGLBoolean SwapBuffers(EGLDisplay dpy, EGLSurface handle) noexcept {

@@ -65,6 +65,8 @@ TEST_F(SurfaceTest, RefusedAttributes) {
   expect_refused({EGL_MIPMAP_TEXTURE, 2}, EGL_BAD_ATTRIBUTE);
   expect_refused({EGL_TEXTURE_FORMAT, EGL_RGB_BUFFER}, EGL_BAD_ATTRIBUTE);
   expect_refused({EGL_TEXTURE_FORMAT, EGL_TEXTURE_RGBA}, EGL_BAD_MATCH);
+  expect_refused({EGL_TEXTURE_FORMAT, EGL_TEXTURE_RGB, EGL_TEXTURE_TARGET, EGL_NO_TEXTURE},
+                 EGL_BAD_MATCH);
   expect_refused({EGL_TEXTURE_TARGET, EGL_TEXTURE_2D}, EGL_BAD_MATCH);
   expect_refused({EGL_TEXTURE_TARGET, EGL_TRUE}, EGL_BAD_ATTRIBUTE);
   expect_refused({EGL_GL_COLORSPACE, EGL_TRUE}, EGL_BAD_ATTRIBUTE);
@@ -213,15 +215,6 @@ TEST_F(SurfaceTest, NoWindowsPixmapsOrClientBuffers) {
   const EGLSurface surface = pbuffer(4, 4);
   EXPECT_EGL_FAIL(eglCopyBuffers(display, surface, 0), EGL_FALSE, EGL_BAD_NATIVE_PIXMAP);
   EXPECT_EGL_FAIL(eglCopyBuffers(display, random_handle(), 0), EGL_FALSE, EGL_BAD_SURFACE);
-}
-
-TEST_F(SurfaceTest, NoTexturesFromSurfaces) {
-  const EGLSurface surface = pbuffer(4, 4);
-  for (const auto call : {eglBindTexImage, eglReleaseTexImage}) {
-    EXPECT_EGL_FAIL(call(display, surface, EGL_BACK_BUFFER), EGL_FALSE, EGL_BAD_MATCH);
-    EXPECT_EGL_FAIL(call(display, surface, EGL_SINGLE_BUFFER), EGL_FALSE, EGL_BAD_PARAMETER);
-    EXPECT_EGL_FAIL(call(display, random_handle(), EGL_BACK_BUFFER), EGL_FALSE, EGL_BAD_SURFACE);
-  }
 }
 
 TEST_F(SurfaceTest, DestroyedHandlesAreVoidForGood) {

@@ -14,11 +14,6 @@ using std::chrono::milliseconds;
 
 constexpr EGLTime kMillisecond = 1000000;
 
-template <class Function>
-Function proc(const char* name) {
-  return reinterpret_cast<Function>(eglGetProcAddress(name));
-}
-
 class SyncTest : public EglTest {
  protected:
   void make_current() {

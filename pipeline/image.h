@@ -7,18 +7,61 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace clearpipe::pipeline {
+
+// The texels of a level. A copy has memory of its own; the memory itself can be shared with a
+// buffer that is drawn to and with other levels (api/egl_image.h).
+class Texels {
+ public:
+  Texels() = default;
+  explicit Texels(size_t size) : memory_(std::make_shared<uint32_t[]>(size)), size_(size) {}
+  Texels(std::initializer_list<uint32_t> texels) : Texels(texels.size()) {
+    std::copy(texels.begin(), texels.end(), begin());
+  }
+  Texels(std::shared_ptr<uint32_t[]> memory, size_t size)
+      : memory_(std::move(memory)), size_(size) {}
+  Texels(const Texels& other) : Texels(other.size_) {
+    std::copy(other.begin(), other.end(), begin());
+  }
+  Texels(Texels&& other) noexcept
+      : memory_(std::move(other.memory_)), size_(std::exchange(other.size_, 0)) {}
+  Texels& operator=(Texels other) noexcept {
+    memory_.swap(other.memory_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~Texels() = default;
+
+  size_t size() const { return size_; }
+  uint32_t* data() { return memory_.get(); }
+  const uint32_t* data() const { return memory_.get(); }
+  uint32_t* begin() { return data(); }
+  uint32_t* end() { return data() + size_; }
+  const uint32_t* begin() const { return data(); }
+  const uint32_t* end() const { return data() + size_; }
+  uint32_t& operator[](size_t i) { return memory_[i]; }
+  uint32_t operator[](size_t i) const { return memory_[i]; }
+
+  const std::shared_ptr<uint32_t[]>& memory() const { return memory_; }
+
+ private:
+  std::shared_ptr<uint32_t[]> memory_;
+  size_t size_ = 0;
+};
 
 // Texels are R | G<<8 | B<<16 | A<<24 in little-endian memory order R,G,B,A.
 struct ImageLevel {
   int width = 0;  // texels
   int height = 0;
-  std::vector<uint32_t> texels;  // row-major, width * height
+  Texels texels;  // row-major, width * height
 };
 
 struct Image {

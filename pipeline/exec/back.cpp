@@ -95,7 +95,8 @@ void run_back(const std::vector<DrawRecord>& draws,
         continue;
       }
       const DrawRecord& draw = draws[primitive.draw];
-      planes.prepare(draw.outputs, std::all_of(coverage, coverage + samples, is_whole));
+      planes.prepare(draw.outputs,
+                     draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
       PrimitivePlanes attributes;
       make_planes(draw.setup, primitive, attributes);
       if (samples > 1) {

@@ -23,7 +23,7 @@ TextureUnit trilinear_unit(float anisotropy, Wrap wrap) {
   auto image = std::make_shared<Image>();
   for (int size = 64; size > 0; size /= 2) {
     ImageLevel level{size, size, {}};
-    level.texels.resize(static_cast<size_t>(size) * static_cast<size_t>(size));
+    level.texels = Texels(static_cast<size_t>(size) * static_cast<size_t>(size));
     for (uint32_t& texel : level.texels) texel = random();
     image->levels.push_back(std::move(level));
   }

@@ -31,6 +31,36 @@ HWY_INLINE VecInt gather(const SampleLevel& level, VecInt index) {
   return hn::GatherIndex(TagInt(), reinterpret_cast<const int32_t*>(level.texels), index);
 }
 
+// Two neighbouring texels of a row for each lane.
+struct TexelPair {
+  VecInt first, second;
+};
+
+#if HWY_TARGET != HWY_SCALAR
+// By one load of 64 bits a lane: half as many as two gathers make.
+HWY_INLINE TexelPair gather_neighbours(const SampleLevel& level, VecInt index) {
+  const TagInt di;
+  const hn::Repartition<int64_t, TagInt> wide;
+  const hn::Half<TagInt> half;
+  const auto* base = reinterpret_cast<const int64_t*>(level.texels);
+  const VecInt offset = hn::ShiftLeft<2>(index);
+  const VecInt lower = hn::BitCast(
+      di, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::LowerHalf(half, offset))));
+  const VecInt upper = hn::BitCast(
+      di, hn::GatherOffset(wide, base, hn::PromoteTo(wide, hn::UpperHalf(half, offset))));
+  return {hn::ConcatEven(di, upper, lower), hn::ConcatOdd(di, upper, lower)};
+}
+#endif
+
+// The texels of a row, given the index of its first.
+HWY_INLINE TexelPair gather_pair(const SampleLevel& level, VecInt row, const LinearAxis& x,
+                                 [[maybe_unused]] bool neighbours) {
+#if HWY_TARGET != HWY_SCALAR
+  if (neighbours) return gather_neighbours(level, hn::Add(row, x.first));
+#endif
+  return {gather(level, hn::Add(row, x.first)), gather(level, hn::Add(row, x.second))};
+}
+
 template <class Axes, bool kFine>
 HWY_INLINE Colours sample_nearest(const Axes& axes, const SampleLevel& level, VecFloat s,
                                   VecFloat t) {
@@ -52,12 +82,15 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
   const LinearAxis x = axes.linear_s(s, level.width);
   const LinearAxis y = axes.linear_t(t, level.height);
   const VecInt width = hn::Set(TagInt(), level.width);
-  const VecInt row0 = hn::Mul(y.first, width);
-  const VecInt row1 = hn::Mul(y.second, width);
-  Colours c00 = unpack(gather(level, hn::Add(row0, x.first)));
-  Colours c10 = unpack(gather(level, hn::Add(row0, x.second)));
-  Colours c01 = unpack(gather(level, hn::Add(row1, x.first)));
-  Colours c11 = unpack(gather(level, hn::Add(row1, x.second)));
+  // Only at the edges of the level is the second texel not the first one's neighbour.
+  const VecInt next = hn::Add(x.first, hn::Set(TagInt(), 1));
+  const bool neighbours = hn::AllTrue(TagInt(), hn::Eq(x.second, next));
+  const TexelPair row0 = gather_pair(level, hn::Mul(y.first, width), x, neighbours);
+  const TexelPair row1 = gather_pair(level, hn::Mul(y.second, width), x, neighbours);
+  Colours c00 = unpack(row0.first);
+  Colours c10 = unpack(row0.second);
+  Colours c01 = unpack(row1.first);
+  Colours c11 = unpack(row1.second);
   if constexpr (kFine) {
     c00 = widen(c00);
     c10 = widen(c10);

@@ -59,7 +59,7 @@ ImageRef random_image(int width, int height, uint32_t seed) {
   auto image = std::make_shared<Image>();
   for (;;) {
     ImageLevel level{width, height, {}};
-    level.texels.resize(static_cast<size_t>(width) * static_cast<size_t>(height));
+    level.texels = Texels(static_cast<size_t>(width) * static_cast<size_t>(height));
     for (uint32_t& texel : level.texels) texel = random();
     image->levels.push_back(std::move(level));
     if (width == 1 && height == 1) return image;

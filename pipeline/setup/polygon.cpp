@@ -8,9 +8,11 @@
 namespace clearpipe::pipeline {
 
 int32_t snap(float pixels) {
-  // Adding 1.5 * 2^23 leaves the nearest integer in the low mantissa bits; exact for |v| < 2^22,
-  // and beyond it (positions up to 2^23 here) nearbyint is exact as well.
-  return static_cast<int32_t>(std::nearbyint(pixels * static_cast<float>(kSubpixelOne)));
+  const float v = pixels * static_cast<float>(kSubpixelOne);
+  // Below 2^22, adding 1.5 * 2^23 rounds to the nearest integer; a call of the library takes longer.
+  constexpr float kMagic = 12582912.0f, kLimit = 4194304.0f;
+  const float rounded = std::fabs(v) < kLimit ? (v + kMagic) - kMagic : std::nearbyint(v);
+  return static_cast<int32_t>(rounded);
 }
 
 int32_t reach_of(FragmentCoverage coverage) {

@@ -1,0 +1,18 @@
+// A texture whose images are the colours of a surface (eglBindTexImage, 3.6 of EGL 1.5).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "api/context_state.h"
+
+namespace clearpipe::api {
+
+// One binding of a surface to a texture, held by the texture.
+struct SurfaceTexture {
+  std::shared_ptr<ShareGroup> share;
+  std::weak_ptr<TextureObject> texture;
+};
+
+// The surface's images are gone, because the texture is specified otherwise.
+void forget_surface(TextureObject& texture);
+
+}  // namespace clearpipe::api
