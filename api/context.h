@@ -61,6 +61,9 @@ std::weak_ptr<SurfaceTexture> bind_surface_texture(
     bool alpha, bool mipmap) noexcept;
 void release_surface_texture(std::weak_ptr<SurfaceTexture> binding) noexcept;
 
+// Whether errors are to be explained on stderr (CLEARPIPE_DEBUG=1).
+bool debug_to_stderr() noexcept;
+
 using Proc = void (*)();
 
 // The entry point of that name, or null.

@@ -16,15 +16,6 @@ namespace clearpipe::api {
 
 namespace {
 
-// CLEARPIPE_DEBUG=1: errors go to stderr as well, and the first of each kind of what is slow.
-bool to_stderr() {
-  static const bool on = [] {
-    const char* value = std::getenv("CLEARPIPE_DEBUG");
-    return value && std::strcmp(value, "0") != 0 && *value != '\0';
-  }();
-  return on;
-}
-
 // Notifications and the like are wanted at first; messages of low severity are not (table 5.5).
 bool is_wanted(const DebugGroup& group, const DebugMessage& m) {
   bool wanted = m.severity != GL_DEBUG_SEVERITY_LOW_KHR;
@@ -88,14 +79,22 @@ void deliver_messages(Context& c) noexcept try {
   c.debug.delivering = false;  // a message that finds no memory is lost
 }
 
-bool wants_messages(const Context& c) { return c.debug.output || to_stderr(); }
+bool debug_to_stderr() noexcept {
+  static const bool on = [] {
+    const char* value = std::getenv("CLEARPIPE_DEBUG");
+    return value && std::strcmp(value, "0") != 0 && *value != '\0';
+  }();
+  return on;
+}
+
+bool wants_messages(const Context& c) { return c.debug.output || debug_to_stderr(); }
 
 void add_performance_messages(Context& c, const char* call) {
   for (GLuint i = 0; i < std::size(kSlowTexts); ++i) {
     const uint32_t bit = 1u << i;
     if (!(c.debug.slow & bit)) continue;
     std::string text = std::string(call) + ": " + kSlowTexts[i].text;
-    if (to_stderr() && !(c.debug.slow_told & bit)) {
+    if (debug_to_stderr() && !(c.debug.slow_told & bit)) {
       c.debug.slow_told |= bit;
       std::fprintf(stderr, "clearpipe: %s (said once)\n", text.c_str());
     }
@@ -106,7 +105,7 @@ void add_performance_messages(Context& c, const char* call) {
 
 void add_error_message(Context& c, const CallText& call, const std::vector<Argument>& arguments) {
   std::string text = error_text(call, arguments, c.raised);
-  if (to_stderr()) std::fprintf(stderr, "clearpipe: %s\n", text.c_str());
+  if (debug_to_stderr()) std::fprintf(stderr, "clearpipe: %s\n", text.c_str());
   add_message(c, {GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, c.raised.error,
                   GL_DEBUG_SEVERITY_HIGH_KHR, std::move(text)});
 }

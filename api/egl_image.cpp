@@ -244,17 +244,18 @@ void orphan(TextureObject& texture) {
   replace_image(texture, std::move(image));
 }
 
-namespace exec {
-
 namespace {
 
-constexpr Invalid kDestroyedImage{GL_INVALID_VALUE, "{1} was destroyed meanwhile (OES_EGL_image)"};
+constexpr Invalid kNoImage{GL_INVALID_VALUE,
+                           "{1} is no image of eglCreateImage (OES_EGL_image, 3.8.2)"};
 
 }  // namespace
 
+namespace exec {
+
 void egl_image_target_texture(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(kDestroyedImage);
+  if (!image) return c.set_error(kNoImage);
   TextureObject& texture = *c.active_unit().texture;
   finish_drawing_to(c, texture);
   auto levels = std::make_shared<pipeline::Image>();
@@ -275,7 +276,7 @@ void egl_image_target_texture(Context& c, GLenum, const void* handle) {
 
 void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(kDestroyedImage);
+  if (!image) return c.set_error(kNoImage);
   std::shared_ptr<pipeline::ColourBuffer> colour;
   if (!image->depth_stencil) {
     const ImageLock lock(image->mutex);
@@ -298,13 +299,6 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
 }  // namespace exec
 
 namespace validate {
-
-namespace {
-
-constexpr Invalid kNoImage{GL_INVALID_VALUE,
-                           "{1} is no image of eglCreateImage (OES_EGL_image, 3.8.2)"};
-
-}  // namespace
 
 Invalid egl_image_target_texture(const Context&, GLenum target, const void* handle) {
   if (target != GL_TEXTURE_2D) {

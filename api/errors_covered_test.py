@@ -18,7 +18,7 @@ said = set(re.findall(r"^clearpipe: (GL_\w+ in gl\w+\(.*)$", run.stderr, re.M))
 cases = sum(int(n) for n in re.findall(r"^errors: (\d+) cases", run.stdout, re.M))
 
 # Rules are the strings of these files that end with a section or an extension in parentheses.
-files = sorted((source / "api").glob("validate*")) + [source / "api" / name for name in ("framebuffer.cpp", "queries.cpp")]
+files = sorted((source / "api").glob("validate*")) + [source / "api" / name for name in ("egl_image.cpp", "framebuffer.cpp", "queries.cpp")]
 strings = [re.sub(r'"\s*"', "", text) for path in files
            for text in re.findall(r'"((?:[^"\\\n]|\\.)*(?:"\s*"(?:[^"\\\n]|\\.)*)*)"', path.read_text(encoding="utf-8"))]
 rules = sorted({text for text in strings if re.search(r" \([^()]*\)$", text)})
@@ -30,7 +30,7 @@ def is_said(rule):
 
 
 calls = {}
-for name, validator in re.findall(r"^CALL\([^,]*, (\w+), \(.*\), (\w+), \w+, \w+, \"[^\"]*\"\)$",
+for name, validator in re.findall(r"^(?:COMMON_)?CALL\([^,]*, (\w+), \(.*\), (\w+), \w+, \w+, \"[^\"]*\"\)$",
                                   (source / "api" / "gles1.def").read_text(encoding="utf-8"), re.M):
     if validator != "none":
         calls["gl" + name] = validator

@@ -1,6 +1,6 @@
-// Errors of the other extensions: draw_texture, multi_draw_arrays, debug output, texture parameters
-// and compressed formats.
-// SPDX-License-Identifier: MIT
+// Errors of the other extensions: EGL images, draw_texture, multi_draw_arrays, debug output,
+// texture parameters and compressed formats. SPDX-License-Identifier: MIT
+#include "api/context.h"
 #include "api/error_cases.h"
 #include "api/texture_tokens.h"
 
@@ -40,6 +40,41 @@ TEST_F(ExtensionErrors, DrawTexture) {
       REFUSED(GL_INVALID_ENUM, glTexParameterx(k2D, GL_TEXTURE_CROP_RECT_OES, 1)),
   };
   expect_refused(kCases);
+}
+
+TEST_F(ExtensionErrors, EglImages) {
+  glBindRenderbufferOES(GL_RENDERBUFFER_OES, 7);
+  glRenderbufferStorageOES(GL_RENDERBUFFER_OES, GL_DEPTH_COMPONENT24_OES, 2, 2);
+  GLuint texture = 1;
+  glGenTextures(1, &texture);
+  glBindTexture(k2D, texture);
+  glTexImage2D(k2D, 0, GL_ALPHA, 2, 2, 0, GL_ALPHA, GL_UNSIGNED_BYTE, nullptr);
+  static char alpha_handle, depth_handle;
+  static void* const alpha = &alpha_handle;
+  static void* const depth = &depth_handle;
+  Context* const context = current_context();
+  ASSERT_EQ(create_egl_image(context, ImageSource::kTexture2D, texture, 0, alpha),
+            ImageError::kNone);
+  ASSERT_EQ(create_egl_image(context, ImageSource::kRenderbuffer, 7, 0, depth), ImageError::kNone);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_ENUM, glEGLImageTargetTexture2DOES(GL_TEXTURE, alpha)),
+      REFUSED(GL_INVALID_VALUE, glEGLImageTargetTexture2DOES(k2D, nullptr)),
+      REFUSED(GL_INVALID_OPERATION, glEGLImageTargetTexture2DOES(k2D, depth)),
+      REFUSED(GL_INVALID_ENUM, glEGLImageTargetRenderbufferStorageOES(k2D, depth)),
+      REFUSED(GL_INVALID_VALUE,
+              glEGLImageTargetRenderbufferStorageOES(GL_RENDERBUFFER_OES, nullptr)),
+      REFUSED(GL_INVALID_OPERATION,
+              glEGLImageTargetRenderbufferStorageOES(GL_RENDERBUFFER_OES, alpha)),
+  };
+  expect_refused(kCases);
+  glBindRenderbufferOES(GL_RENDERBUFFER_OES, 0);
+  const ErrorCase kUnbound[] = {
+      REFUSED(GL_INVALID_OPERATION,
+              glEGLImageTargetRenderbufferStorageOES(GL_RENDERBUFFER_OES, depth)),
+  };
+  expect_refused(kUnbound);
+  destroy_egl_image(alpha);
+  destroy_egl_image(depth);
 }
 
 // One draw that is wrong is enough, and none is drawn.

@@ -14,7 +14,7 @@ namespace {
 const __EGLapiExports* glvnd = nullptr;
 
 enum Command : size_t {
-#define CALL(type, name, parameters, arguments, vendor) k##name,
+#define CALL(type, name, parameters, arguments, vendor, object) k##name,
 #include "icd/egl_ext.def"
 #undef CALL
   kCommandCount
@@ -55,7 +55,7 @@ __EGLvendorInfo* vendor_of_device(EGLDeviceEXT device) {
   STUB(type, name, parameters, arguments, vendor_of_device, EGL_BAD_DEVICE_EXT)
 #define STUB_built_in(type, name, parameters, arguments) \
   constexpr std::nullptr_t stub_##name = nullptr;
-#define CALL(type, name, parameters, arguments, vendor) \
+#define CALL(type, name, parameters, arguments, vendor, object) \
   STUB_##vendor(type, name, parameters, arguments)
 #include "icd/egl_ext.def"
 #undef CALL
@@ -73,7 +73,8 @@ void* address_of(std::nullptr_t) { return nullptr; }
 
 const std::array<Stub, kCommandCount>& stubs() {
   static const std::array<Stub, kCommandCount> list = {{
-#define CALL(type, name, parameters, arguments, vendor) {"egl" #name, address_of(stub_##name)},
+#define CALL(type, name, parameters, arguments, vendor, object) \
+  {"egl" #name, address_of(stub_##name)},
 #include "icd/egl_ext.def"
 #undef CALL
   }};

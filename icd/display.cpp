@@ -23,13 +23,14 @@ void erase_dead(std::vector<std::unique_ptr<Object>>& objects) {
   std::erase_if(objects, [](const auto& object) { return object->destroyed && !object->current; });
 }
 
-// Displays are never freed: a handle stays good for the life of the process (3.2).
-std::vector<std::unique_ptr<Display>>& displays() {
+std::vector<std::unique_ptr<Display>>& all_displays() {
   static auto* list = new std::vector<std::unique_ptr<Display>>;
   return *list;
 }
 
 }  // namespace
+
+const std::vector<std::unique_ptr<Display>>& displays() { return all_displays(); }
 
 std::mutex& egl_mutex() {
   static auto* mutex = new std::mutex;
@@ -48,6 +49,11 @@ std::shared_ptr<Sync> Display::sync(EGLSync handle) const {
   const auto found = std::find_if(syncs.begin(), syncs.end(),
                                   [&](const auto& sync) { return sync->handle == handle; });
   return found == syncs.end() ? nullptr : *found;
+}
+
+bool Display::has_image(EGLImage handle) const {
+  return std::any_of(images.begin(), images.end(),
+                     [&](const auto& image) { return image->handle == handle; });
 }
 
 void Display::sweep() {
@@ -71,8 +77,8 @@ Display* get_display(EGLenum platform) {
   for (const auto& display : displays()) {
     if (display->platform == platform) return display.get();
   }
-  displays().push_back(std::make_unique<Display>(platform));
-  return displays().back().get();
+  all_displays().push_back(std::make_unique<Display>(platform));
+  return all_displays().back().get();
 }
 
 Context* find_context(EGLContext handle) {

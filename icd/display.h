@@ -8,6 +8,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -70,11 +71,13 @@ struct Display {
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;
   std::vector<std::unique_ptr<Image>> images;
+  std::map<const void*, EGLLabelKHR> labels;  // of the display and its objects (EGL_KHR_debug)
 
   explicit Display(EGLenum display_platform) : platform(display_platform) {}
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
   Context* context(EGLContext handle);
   std::shared_ptr<Sync> sync(EGLSync handle) const;
+  bool has_image(EGLImage handle) const;
 
   // Frees what is destroyed and not current; after eglTerminate everything counts as destroyed.
   void sweep();
@@ -82,6 +85,10 @@ struct Display {
 
 // All EGL state of the process is guarded by this.
 std::mutex& egl_mutex();
+
+// All displays there are. They are never freed: a handle stays good for the life of the process
+// (3.2).
+const std::vector<std::unique_ptr<Display>>& displays();
 
 // The display of a handle, or null.
 Display* find_display(EGLDisplay handle);
@@ -101,6 +108,7 @@ struct Thread {
   EGLenum api = EGL_OPENGL_ES_API;
   Display* display = nullptr;
   Context* context = nullptr;
+  EGLLabelKHR label = nullptr;
   ~Thread();
 };
 Thread& this_thread();

@@ -10,10 +10,8 @@
 
 namespace clearpipe::icd::entry {
 
-#define CALL(type, name, parameters, arguments) type name parameters noexcept;
+#define CALL(type, name, parameters, ...) type name parameters noexcept;
 #include "icd/egl15.def"
-#undef CALL
-#define CALL(type, name, parameters, arguments, vendor) type name parameters noexcept;
 #include "icd/egl_ext.def"
 #undef CALL
 

@@ -1,6 +1,5 @@
-// EGL commands on contexts, waiting and procedure addresses (3.7, 3.8, 3.11).
+// EGL commands on contexts, and waiting (3.7, 3.8).
 // SPDX-License-Identifier: MIT
-#include <cstring>
 #include <new>
 
 #include "icd/entry.h"
@@ -87,6 +86,7 @@ EGLBoolean DestroyContext(EGLDisplay dpy, EGLContext ctx) noexcept {
   Context* context = display->context(ctx);
   if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
   context->destroyed = true;
+  display->labels.erase(ctx);
   display->sweep();
   return succeed(EGL_TRUE);
 }
@@ -202,20 +202,6 @@ EGLBoolean WaitNative(EGLint engine) noexcept {
     return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
   }
   return succeed(EGL_TRUE);
-}
-
-__eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) noexcept {
-  using Proc = __eglMustCastToProperFunctionPointerType;
-  if (procname == nullptr) return succeed<Proc>(nullptr);
-#define CALL(type, name, parameters, arguments) \
-  if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
-#include "icd/egl15.def"
-#undef CALL
-#define CALL(type, name, parameters, arguments, vendor) \
-  if (std::strcmp(procname, "egl" #name) == 0) return succeed(reinterpret_cast<Proc>(&name));
-#include "icd/egl_ext.def"
-#undef CALL
-  return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
 }
 
 }  // namespace clearpipe::icd::entry

@@ -12,13 +12,13 @@ namespace {
 constexpr const char* kClientExtensions =
     "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
     "EGL_EXT_device_query EGL_EXT_platform_base EGL_EXT_platform_device "
-    "EGL_KHR_client_get_all_proc_addresses EGL_MESA_platform_surfaceless";
+    "EGL_KHR_client_get_all_proc_addresses EGL_KHR_debug EGL_MESA_platform_surfaceless";
 constexpr const char* kDisplayExtensions =
     "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
     "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
     "EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image EGL_KHR_image EGL_KHR_image_base "
     "EGL_KHR_no_config_context EGL_KHR_reusable_sync EGL_KHR_surfaceless_context "
-    "EGL_KHR_wait_sync";
+    "EGL_KHR_wait_sync EGL_MESA_query_driver";
 
 EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
                           EGLint* num_config) {
@@ -102,6 +102,9 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
   display->syncs.clear();
   display->images.clear();
+  for (auto label = display->labels.begin(); label != display->labels.end();) {
+    label = label->first == display ? std::next(label) : display->labels.erase(label);
+  }
   display->sweep();
   display->initialized = false;
   return succeed(EGL_TRUE);
@@ -128,12 +131,28 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
   }
 }
 
+const char* GetDisplayDriverName(EGLDisplay dpy) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  const char* none = nullptr;
+  return initialized_display(dpy) != nullptr ? succeed("clearpipe") : none;
+}
+
+// There are no options. The caller frees the text.
+char* GetDisplayDriverConfig(EGLDisplay dpy) noexcept {
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  char* none = nullptr;
+  if (initialized_display(dpy) == nullptr) return none;
+  char* text = strdup("<driinfo></driinfo>");
+  return text != nullptr ? succeed(text) : fail(EGL_BAD_ALLOC, none);
+}
+
 EGLBoolean ReleaseThread() noexcept {
   Thread& thread = this_thread();
   finish_current(thread);
   const std::lock_guard<std::mutex> lock(egl_mutex());
   release_current(thread);
   thread.api = EGL_OPENGL_ES_API;
+  thread.label = nullptr;
   return succeed(EGL_TRUE);
 }
 

@@ -110,6 +110,7 @@ EGLBoolean DestroyImage(EGLDisplay dpy, EGLImage handle) noexcept {
   if (display == nullptr) return EGL_FALSE;
   const size_t erased =
       std::erase_if(display->images, [&](const auto& image) { return image->handle == handle; });
+  display->labels.erase(handle);
   return erased == 0 ? fail(EGL_BAD_PARAMETER, EGL_FALSE) : succeed(EGL_TRUE);
 }
 

@@ -91,6 +91,7 @@ EGLBoolean DestroySurface(EGLDisplay dpy, EGLSurface handle) noexcept {
   Surface* surface = display->surface(handle);
   if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
   surface->destroyed = true;
+  display->labels.erase(handle);
   display->sweep();
   return succeed(EGL_TRUE);
 }

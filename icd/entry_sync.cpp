@@ -76,6 +76,7 @@ EGLBoolean DestroySync(EGLDisplay dpy, EGLSync handle) noexcept {
   if (sync == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
   sync->signal();  // who waits is woken (EGL_KHR_reusable_sync)
   std::erase(display->syncs, sync);
+  display->labels.erase(handle);
   return succeed(EGL_TRUE);
 }
 
