@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "pipeline/raster/samples.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::api {
@@ -22,6 +23,7 @@ constexpr int longest_mipmap(int size) {
   return levels;
 }
 inline constexpr int kMaxRenderbufferSize = 16384;
+inline constexpr int kMaxSamples = pipeline::kSampleCount;
 inline constexpr float kMaxTextureLodBias = 15;
 inline constexpr float kMaxAnisotropy = 16;
 inline constexpr int kMaxViewport = 16384;
