@@ -72,7 +72,6 @@ void skin_position_all(const VertexState& state, int units, VertexBatch& batch, 
 void skin_normal_all(const VertexState& state, int units, VertexBatch& batch, size_t count) {
   skin_normal(state, palette_inputs(skinned(units), batch), batch.attribute[1], count,
               batch.normal);
->>>>>>> main
 }
 void texture_all(const VertexState& state, VertexBatch& batch, size_t count) {
   transform_texture_coordinates(state, batch, count);
