@@ -23,6 +23,7 @@ Context* create_context(Context* share, ContextFlags flags) noexcept try {
   context->share = share ? share->share : std::make_shared<ShareGroup>();
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
+    unit.cube_texture = context->default_cube_texture;
   }
   context->debug.output = flags.debug;
   context->no_error = flags.no_error;

@@ -56,6 +56,7 @@ void destroy_egl_image(const void* handle) noexcept;
 // expires. Nothing is bound if it is expired from the start: memory does not suffice. Finish
 // before.
 struct SurfaceTexture;
+bool takes_surface_texture(Context* context) noexcept;  // not if it is immutable
 std::weak_ptr<SurfaceTexture> bind_surface_texture(
     Context* context, const std::vector<std::shared_ptr<pipeline::ColourBuffer>>& levels,
     bool alpha, bool mipmap) noexcept;

@@ -28,7 +28,8 @@ struct Context {
   bool no_error = false;  // KHR_no_error: nothing but OUT_OF_MEMORY is reported
   DebugState debug;
   uint32_t dirty = kDirtyAll;
-  TexturePtr default_texture = std::make_shared<TextureObject>(0);
+  TexturePtr default_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_2D);
+  TexturePtr default_cube_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_CUBE_MAP_OES);
 
   // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
   // framebuffer object (framebuffer.h).

@@ -44,6 +44,10 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.multisample.coverage, kDirtyFragment};
     case GL_TEXTURE_2D:
       return {&c.active_unit().enabled, kDirtyTexture};
+    case GL_TEXTURE_CUBE_MAP_OES:
+      return {&c.active_unit().cube_enabled, kDirtyTexture};
+    case GL_TEXTURE_GEN_STR_OES:
+      return {&c.active_unit().gen_str, kDirtyVertex};
     case GL_SCISSOR_TEST:
       return {&s.pixel.scissor_test, kDirtyRaster};
     case GL_ALPHA_TEST:
