@@ -83,6 +83,7 @@ ImageError share_renderbuffer(const Context& c, GLuint name, EglImagePtr& out) {
   if (!renderbuffer || (!renderbuffer->colour && !renderbuffer->depth_stencil)) {
     return ImageError::kBadParameter;
   }
+  if (renderbuffer->samples != 0) return ImageError::kBadParameter;
   if (is_shared(renderbuffer->sibling)) return ImageError::kBadAccess;
   refresh(*renderbuffer);
   out = std::make_shared<EglImage>();
@@ -243,17 +244,18 @@ void orphan(TextureObject& texture) {
   replace_image(texture, std::move(image));
 }
 
-namespace exec {
-
 namespace {
 
-constexpr Invalid kDestroyedImage{GL_INVALID_VALUE, "{1} was destroyed meanwhile (OES_EGL_image)"};
+constexpr Invalid kNoImage{GL_INVALID_VALUE,
+                           "{1} is no image of eglCreateImage (OES_EGL_image, 3.8.2)"};
 
 }  // namespace
 
+namespace exec {
+
 void egl_image_target_texture(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(kDestroyedImage);
+  if (!image) return c.set_error(kNoImage);
   TextureObject& texture = *c.active_unit().texture;
   finish_drawing_to(c, texture);
   auto levels = std::make_shared<pipeline::Image>();
@@ -274,7 +276,7 @@ void egl_image_target_texture(Context& c, GLenum, const void* handle) {
 
 void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
-  if (!image) return c.set_error(kDestroyedImage);
+  if (!image) return c.set_error(kNoImage);
   std::shared_ptr<pipeline::ColourBuffer> colour;
   if (!image->depth_stencil) {
     const ImageLock lock(image->mutex);
@@ -287,6 +289,7 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   RenderbufferObject& r = *c.renderbuffer;
   r.width = image->width;
   r.height = image->height;
+  r.samples = 0;
   r.internal = image->renderbuffer_internal;
   r.colour = std::move(colour);
   r.depth_stencil = image->depth_stencil;
@@ -296,13 +299,6 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
 }  // namespace exec
 
 namespace validate {
-
-namespace {
-
-constexpr Invalid kNoImage{GL_INVALID_VALUE,
-                           "{1} is no image of eglCreateImage (OES_EGL_image, 3.8.2)"};
-
-}  // namespace
 
 Invalid egl_image_target_texture(const Context&, GLenum target, const void* handle) {
   if (target != GL_TEXTURE_2D) {

@@ -33,23 +33,6 @@ const char* error_name(GLenum error) {  // table 2.3
   }
 }
 
-// The name of an enumerant, or null: it has none, or shares its value with others (enum_names.def).
-const char* enumerant_name(unsigned long long value) {
-  struct Named {
-    unsigned value;
-    const char* name;
-  };
-  static constexpr Named kNames[] = {
-#define ENUM(value, name) {value, #name},
-#include "api/enum_names.def"
-#undef ENUM
-  };
-  const Named* found =
-      std::lower_bound(std::begin(kNames), std::end(kNames), value,
-                       [](const Named& named, unsigned long long v) { return named.value < v; });
-  return found != std::end(kNames) && found->value == value ? found->name : nullptr;
-}
-
 std::string hexadecimal(unsigned long long value) {
   char text[24];
   std::snprintf(text, sizeof text, "0x%04llX", value);
@@ -172,6 +155,22 @@ std::string rule_text(const Invalid& wrong, const std::vector<NamedArgument>& ar
 }
 
 }  // namespace
+
+const char* enumerant_name(unsigned long long value) {
+  struct Named {
+    unsigned value;
+    const char* name;
+  };
+  static constexpr Named kNames[] = {
+#define ENUM(value, name) {value, #name},
+#include "api/enum_names.def"
+#undef ENUM
+  };
+  const Named* found =
+      std::lower_bound(std::begin(kNames), std::end(kNames), value,
+                       [](const Named& named, unsigned long long v) { return named.value < v; });
+  return found != std::end(kNames) && found->value == value ? found->name : nullptr;
+}
 
 std::string error_text(const CallText& call, const std::vector<Argument>& arguments,
                        const Invalid& wrong) {

@@ -10,6 +10,9 @@
 
 namespace clearpipe::api {
 
+// The name of an enumerant, or null: it has none, or shares its value with others (enum_names.def).
+const char* enumerant_name(unsigned long long value);
+
 std::string error_text(const CallText& call, const std::vector<Argument>& arguments,
                        const Invalid& wrong);
 

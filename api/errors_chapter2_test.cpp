@@ -64,7 +64,6 @@ class Chapter2Errors : public ErrorTest {
         REFUSED(GL_INVALID_VALUE, glViewport(0, 0, -1, 1)),
         REFUSED(GL_INVALID_VALUE, glViewport(0, 0, 1, -1)),
         REFUSED(GL_INVALID_ENUM, glMatrixMode(GL_MODELVIEW_MATRIX)),
-        REFUSED(GL_STACK_UNDERFLOW, glPopMatrix()),
         REFUSED(GL_INVALID_VALUE, glFrustumf(-1, 1, -1, 1, 0, 1)),
         REFUSED(GL_INVALID_VALUE, glFrustumf(-1, 1, -1, 1, 1, -1)),
         REFUSED(GL_INVALID_VALUE, glFrustumf(1, 1, -1, 1, 1, 2)),
@@ -102,7 +101,13 @@ class Chapter2Errors : public ErrorTest {
         REFUSED(GL_INVALID_ENUM, glMaterialx(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, 1)),
         REFUSED(GL_INVALID_VALUE, glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, -1)),
         REFUSED(GL_INVALID_VALUE, glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 129)),
+        REFUSED(GL_INVALID_ENUM, glMaterialxv(GL_BACK, GL_SHININESS, x)),
+        REFUSED(GL_INVALID_ENUM, glMaterialf(GL_FRONT_AND_BACK, GL_SPECULAR, 1)),
+        REFUSED(GL_INVALID_ENUM, glMaterialf(GL_FRONT_AND_BACK, GL_EMISSION, 1)),
+        REFUSED(GL_INVALID_ENUM, glLightxv(GL_LIGHT0 - 1, GL_DIFFUSE, x)),
         REFUSED(GL_INVALID_ENUM, glLightModelfv(GL_AMBIENT, f)),
+        REFUSED(GL_INVALID_ENUM, glLightModelxv(GL_LIGHTING, x)),
+        REFUSED(GL_INVALID_ENUM, glLightModelx(GL_LIGHT_MODEL_AMBIENT, 1)),
         REFUSED(GL_INVALID_ENUM, glLightModelf(GL_LIGHT_MODEL_AMBIENT, 1)),
         REFUSED(GL_INVALID_ENUM, glShadeModel(GL_LINEAR)),
     };
@@ -115,10 +120,30 @@ TEST_F(Chapter2Errors, TransformationAndLighting) { expect_refused(transformatio
 
 TEST_F(Chapter2Errors, WithoutABuffer) {
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBufferData(GL_ARRAY_BUFFER, 1, nullptr, GL_STATIC_DRAW);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
-  glBufferSubData(GL_ARRAY_BUFFER, 0, 0, f);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_OPERATION, glBufferData(GL_ARRAY_BUFFER, 1, nullptr, GL_STATIC_DRAW)),
+      REFUSED(GL_INVALID_OPERATION, glBufferSubData(GL_ARRAY_BUFFER, 0, 0, f)),
+  };
+  expect_refused(kCases);
+}
+
+TEST_F(Chapter2Errors, FullStacks) {
+  const ErrorCase kCases[] = {REFUSED(GL_STACK_OVERFLOW, glPushMatrix())};
+  for (const GLenum mode : {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE}) {
+    glMatrixMode(mode);
+    const int depth = mode == GL_TEXTURE ? 10 : 32;
+    for (int i = 1; i < depth; ++i) glPushMatrix();
+    expect_refused(kCases);
+    for (int i = 1; i < depth; ++i) glPopMatrix();
+  }
+}
+
+TEST_F(Chapter2Errors, EmptyStacks) {
+  const ErrorCase kCases[] = {REFUSED(GL_STACK_UNDERFLOW, glPopMatrix())};
+  for (const GLenum mode : {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE}) {
+    glMatrixMode(mode);
+    expect_refused(kCases);
+  }
 }
 
 // Names that are not in use, and zero, are deleted silently (2.9, 3.7.11).

@@ -33,6 +33,8 @@ class Chapter3Errors : public ErrorTest {
         REFUSED(GL_INVALID_VALUE, glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, -1)),
         REFUSED(GL_INVALID_ENUM, glPointParameterf(GL_POINT_DISTANCE_ATTENUATION, 1)),
         REFUSED(GL_INVALID_ENUM, glPointParameterfv(GL_POINT_SIZE, f)),
+        REFUSED(GL_INVALID_ENUM, glPointParameterxv(GL_POINT_SMOOTH, x)),
+        REFUSED(GL_INVALID_ENUM, glPointParameterx(GL_POINT_DISTANCE_ATTENUATION, 1)),
         REFUSED(GL_INVALID_VALUE, glLineWidth(0)),
         REFUSED(GL_INVALID_VALUE, glLineWidthx(-1)),
         REFUSED(GL_INVALID_ENUM, glCullFace(GL_CW)),
@@ -50,6 +52,8 @@ class Chapter3Errors : public ErrorTest {
         REFUSED(GL_INVALID_VALUE, glFogf(GL_FOG_DENSITY, -1)),
         REFUSED(GL_INVALID_VALUE, glFogx(GL_FOG_DENSITY, -1)),
         REFUSED(GL_INVALID_ENUM, glFogf(GL_FOG_COLOR, 1)),
+        REFUSED(GL_INVALID_ENUM, glFogfv(GL_FOG_HINT, f)),
+        REFUSED(GL_INVALID_ENUM, glFogxv(GL_FOG_MODE, x)),
     };
     return kCases;
   }
@@ -127,7 +131,23 @@ class Chapter3Errors : public ErrorTest {
                 glCompressedTexImage2D(k2D, 0, GL_PALETTE4_RGB8_OES, -1, 1, 0, 48, f)),
         REFUSED(GL_INVALID_VALUE,
                 glCompressedTexImage2D(k2D, 0, GL_PALETTE4_RGB8_OES, 1, 1, 0, -1, f)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, 0, GL_PALETTE4_RGB8_OES, 1, 1, 0, 50, f)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, 0, GL_PALETTE4_RGB8_OES, 1, 1, 0, 49, nullptr)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, 0, GL_PALETTE8_RGB5_A1_OES, 16385, 1, 0, 16897, f)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, 1, GL_PALETTE4_RGB8_OES, 1, 1, 0, 49, f)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, -15, GL_PALETTE4_RGB8_OES, 1, 1, 0, 49, f)),
+        REFUSED(GL_INVALID_VALUE,
+                glCompressedTexImage2D(k2D, -1, GL_PALETTE4_RGB8_OES, 1, 1, 0, 50, f)),
         REFUSED(GL_INVALID_ENUM, glCompressedTexSubImage2D(k2D, 0, 0, 0, 1, 1, GL_RGBA, 4, f)),
+        REFUSED(GL_INVALID_ENUM,
+                glCompressedTexSubImage2D(0, 0, 0, 0, 1, 1, GL_PALETTE4_RGB8_OES, 49, f)),
+        REFUSED(GL_INVALID_OPERATION,
+                glCompressedTexSubImage2D(k2D, 0, 0, 0, 1, 1, GL_PALETTE4_RGB8_OES, 49, f)),
     };
     return kCases;
   }
@@ -142,6 +162,9 @@ class Chapter3Errors : public ErrorTest {
       REFUSED(GL_INVALID_ENUM, glTexParameteri(k2D, GL_TEXTURE_MIN_FILTER, 0x2704)),
       REFUSED(GL_INVALID_ENUM,
               glTexParameteri(k2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR_MIPMAP_NEAREST)),
+      REFUSED(GL_INVALID_ENUM, glTexParameteriv(k2D, GL_TEXTURE_MAG_FILTER, x)),
+      REFUSED(GL_INVALID_ENUM, glTexParameterfv(k2D, GL_TEXTURE_MIN_FILTER, f)),
+      REFUSED(GL_INVALID_ENUM, glTexParameterxv(k2D, GL_TEXTURE_WRAP_S, x)),
       // 3.7.11
       REFUSED(GL_INVALID_ENUM, glBindTexture(GL_TEXTURE, 2)),
       REFUSED(GL_INVALID_VALUE, GLuint n = 0; glGenTextures(-1, &n)),
@@ -159,6 +182,10 @@ class Chapter3Errors : public ErrorTest {
       REFUSED(GL_INVALID_ENUM, glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_ALPHA, GL_TEXTURE0 + 8)),
       REFUSED(GL_INVALID_ENUM, glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_RGB, GL_DST_COLOR)),
       REFUSED(GL_INVALID_ENUM, glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND0_ALPHA, GL_SRC_COLOR)),
+      REFUSED(GL_INVALID_ENUM, glTexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, 1)),
+      REFUSED(GL_INVALID_ENUM, glTexEnvfv(GL_TEXTURE_ENV, GL_SRC1_RGB, f)),
+      REFUSED(GL_INVALID_ENUM, glTexEnviv(GL_TEXTURE_ENV, GL_OPERAND2_RGB, x)),
+      REFUSED(GL_INVALID_ENUM, glTexEnvxv(GL_TEXTURE_ENV, GL_OPERAND1_ALPHA, x)),
       REFUSED(GL_INVALID_VALUE, glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 3)),
       REFUSED(GL_INVALID_VALUE, glTexEnvf(GL_TEXTURE_ENV, GL_ALPHA_SCALE, 0)),
     };
@@ -174,12 +201,14 @@ TEST_F(Chapter3Errors, Parameters) { expect_refused(parameters()); }
 TEST_F(Chapter3Errors, CopiesFromASurfaceWithoutAlpha) {
   const pipeline::Target opaque = make_target(kSize, kSize, false);
   make_current(context_, opaque, opaque);
-  for (const GLenum format : {GL_ALPHA, GL_LUMINANCE_ALPHA, GL_RGBA}) {
-    copy(0, format, 1, 1, 0);
-    EXPECT_ERROR(GL_INVALID_OPERATION) << format;
-  }
-  copy_part(0, 0, 0, 1, 1);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_OPERATION, copy(0, GL_ALPHA, 1, 1, 0)),
+      REFUSED(GL_INVALID_OPERATION, copy(0, GL_LUMINANCE_ALPHA, 1, 1, 0)),
+      REFUSED(GL_INVALID_OPERATION, copy(0, GL_RGBA, 1, 1, 0)),
+      REFUSED(GL_INVALID_OPERATION, copy_part(0, 0, 0, 1, 1)),
+  };
+  expect_refused(kCases);
+  glBindTexture(GL_TEXTURE_2D, 2);
   for (const GLenum format : {GL_LUMINANCE, GL_RGB}) {
     copy(0, format, 1, 1, 0);
     EXPECT_ERROR(GL_NO_ERROR) << format;

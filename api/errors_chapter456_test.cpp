@@ -42,6 +42,11 @@ class Chapter456Errors : public ErrorTest {
         REFUSED(GL_INVALID_ENUM, read(1, 1, GL_RGBA, GL_FLOAT)),
         REFUSED(GL_INVALID_OPERATION, read(1, 1, GL_RGB, GL_UNSIGNED_BYTE)),
         REFUSED(GL_INVALID_OPERATION, read(1, 1, GL_RGB, GL_UNSIGNED_SHORT_5_6_5)),
+        REFUSED(GL_INVALID_OPERATION, read(1, 1, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4)),
+        REFUSED(GL_INVALID_VALUE, glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr)),
+        REFUSED(GL_INVALID_ENUM, glBlendFuncSeparateOES(GL_ADD, GL_ZERO, GL_ZERO, GL_ZERO)),
+        REFUSED(GL_INVALID_ENUM, glBlendFuncSeparateOES(GL_ZERO, GL_DST_COLOR, GL_ZERO, GL_ZERO)),
+        REFUSED(GL_INVALID_ENUM, glBlendEquationSeparateOES(GL_ADD, GL_FUNC_ADD_OES)),
         REFUSED(GL_INVALID_ENUM, glHint(GL_FOG, GL_NICEST)),
         REFUSED(GL_INVALID_ENUM, glHint(GL_FOG_HINT, GL_FOG)),
     };
@@ -93,26 +98,28 @@ TEST_F(Chapter456Errors, Queries) {
 
 TEST_F(Chapter456Errors, ParametersOfNoBuffer) {
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, integers);
-  EXPECT_ERROR(GL_INVALID_OPERATION);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_OPERATION,
+              glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_SIZE, integers)),
+  };
+  expect_refused(kCases);
   EXPECT_EQ(integers[0], 7);
 }
 
 // Whatever would touch a framebuffer, without one (OES_framebuffer_object, "completeness").
 TEST_F(Chapter456Errors, WithoutASurface) {
   make_current(context_, {}, {});
-  const std::function<void()> kCalls[] = {
-      [] { glClear(GL_COLOR_BUFFER_BIT); },
-      [] { glDrawArrays(GL_TRIANGLES, 0, 3); },
-      [] { glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, nullptr); },
-      [] { read(1, 1, GL_RGBA, GL_UNSIGNED_BYTE); },
-      [] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 1, 1, 0); },
-      [] { glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 1, 1); },
+  constexpr GLenum kError = GL_INVALID_FRAMEBUFFER_OPERATION_OES;
+  const ErrorCase kCases[] = {
+      REFUSED(kError, glClear(GL_COLOR_BUFFER_BIT)),
+      REFUSED(kError, glDrawArrays(GL_TRIANGLES, 0, 3)),
+      REFUSED(kError, glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, nullptr)),
+      REFUSED(kError, glDrawTexiOES(0, 0, 0, 1, 1)),
+      REFUSED(kError, read(1, 1, GL_RGBA, GL_UNSIGNED_BYTE)),
+      REFUSED(kError, glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 1, 1, 0)),
+      REFUSED(kError, glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 1, 1)),
   };
-  for (const auto& call : kCalls) {
-    call();
-    EXPECT_ERROR(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
-  }
+  expect_refused(kCases);
 }
 
 }  // namespace

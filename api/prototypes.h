@@ -6,6 +6,8 @@
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 
+#include "api/khr_debug.h"
+
 #define CALL(type, name, parameters, ...) extern "C" type GL_APIENTRY gl##name parameters;
 #include "api/gles1.def"
 #undef CALL

@@ -1,103 +1,28 @@
-// glGet*: the initial value of every variable in all four types with the conversions of 6.1.2, and
-// values that need them.
+// glGet*: values that need the conversions of 6.1.2, and what follows units and surfaces. All other
+// variables are in state_test.cpp.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
-#include <string>
 
 #include "api/call_fixture.h"
-#include "api/initial_state.h"
 
 namespace clearpipe::api {
 namespace {
 
 using Queries = CallTest;
 
-GLint saturated(double value) {
-  constexpr double kLow = std::numeric_limits<GLint>::min(),
-                   kHigh = std::numeric_limits<GLint>::max();
-  return static_cast<GLint>(std::clamp(value, kLow, kHigh));
-}
-
-GLint as_integer(Kind kind, double value) {
-  return saturated(kind == Kind::kColour ? (4294967295.0 * value - 1) / 2 : std::round(value));
-}
-
-GLfixed as_fixed(Kind kind, double value) {
-  return saturated(kind == Kind::kEnumerant ? value : std::floor(value * 65536 + 0.5));
-}
-
-// What the four queries write for `v`, and that they write nothing behind it.
-void expect_value(const InitialValue& v) {
-  constexpr size_t kMost = 17;
-  GLboolean booleans[kMost];
-  GLint integers[kMost], fixed[kMost];
-  GLfloat floats[kMost];
-  std::fill_n(booleans, kMost, GLboolean{77});
-  std::fill_n(integers, kMost, 77);
-  std::fill_n(fixed, kMost, 77);
-  std::fill_n(floats, kMost, 77.0f);
-  glGetBooleanv(v.name, booleans);
-  glGetIntegerv(v.name, integers);
-  glGetFixedv(v.name, fixed);
-  glGetFloatv(v.name, floats);
-  EXPECT_ERROR(GL_NO_ERROR) << v.text;
-  const size_t count = v.values.size();
-  for (size_t i = 0; i < count; ++i) {
-    const std::string where = std::string(v.text) + " " + std::to_string(i);
-    EXPECT_EQ(booleans[i], v.values[i] != 0) << where;
-    EXPECT_EQ(integers[i], as_integer(v.kind, v.values[i])) << where;
-    EXPECT_EQ(fixed[i], as_fixed(v.kind, v.values[i])) << where;
-    EXPECT_EQ(floats[i], static_cast<GLfloat>(v.values[i])) << where;
-  }
-  EXPECT_EQ(booleans[count], 77) << v.text;
-  EXPECT_EQ(integers[count], 77) << v.text;
-  EXPECT_EQ(fixed[count], 77) << v.text;
-  EXPECT_EQ(floats[count], 77.0f) << v.text;
-}
-
-TEST_F(Queries, InitialValuesInEveryType) {
-  for (const InitialValue& v : initial_values()) expect_value(v);
-}
-
-TEST_F(Queries, EveryVariableHasAnInitialValueHere) {
-  const GLenum kQueries[] = {
-#define QUERY(name, kind, ...) name,
-#include "api/queries.def"
-#undef QUERY
-  };
-  for (const GLenum name : kQueries) {
-    EXPECT_TRUE(std::any_of(initial_values().begin(), initial_values().end(),
-                            [name](const InitialValue& v) { return v.name == name; }))
-        << std::hex << name;
-  }
-}
-
-TEST_F(Queries, ValuesThatAreNotWhole) {
-  glColor4f(0.5f, -1, 0.25f, 0);
-  glClearDepthf(0.5f);
-  glDepthRangef(0.25f, 0.75f);
-  glAlphaFunc(GL_LESS, 0.5f);
-  glLineWidth(2.5f);
-  glPolygonOffset(-1.5f, 40000.0f);
+TEST_F(Queries, NumbersRoundAndSaturate) {
   glFogf(GL_FOG_START, -2.25f);
-  glSampleCoverage(0.25f, GL_TRUE);
-  const InitialValue kValues[] = {
-      {GL_CURRENT_COLOR, "colour", Kind::kColour, {0.5, -1, 0.25, 0}},
-      {GL_DEPTH_CLEAR_VALUE, "depth clear value", Kind::kColour, {0.5}},
-      {GL_DEPTH_RANGE, "depth range", Kind::kColour, {0.25, 0.75}},
-      {GL_ALPHA_TEST_REF, "alpha reference", Kind::kNumber, {0.5}},
-      {GL_LINE_WIDTH, "line width", Kind::kNumber, {2.5}},
-      {GL_POLYGON_OFFSET_UNITS, "saturates as fixed", Kind::kNumber, {40000}},
-      {GL_SAMPLE_COVERAGE_VALUE, "sample coverage", Kind::kNumber, {0.25}},
-      {GL_SAMPLE_COVERAGE_INVERT, "sample coverage", Kind::kBoolean, {1}},
-  };
-  for (const InitialValue& v : kValues) expect_value(v);
-  GLint start = 0;
-  glGetIntegerv(GL_FOG_START, &start);
-  EXPECT_EQ(start, -2);
+  glPolygonOffset(2.5f, 40000);
+  GLint integer = 0;
+  GLfixed fixed = 0;
+  glGetIntegerv(GL_FOG_START, &integer);
+  EXPECT_EQ(integer, -2);
+  glGetFixedv(GL_POLYGON_OFFSET_UNITS, &fixed);
+  EXPECT_EQ(fixed, std::numeric_limits<GLfixed>::max());
+  glPolygonOffset(2.5f, -1e20f);
+  glGetIntegerv(GL_POLYGON_OFFSET_UNITS, &integer);
+  EXPECT_EQ(integer, std::numeric_limits<GLint>::min());
 }
 
 TEST_F(Queries, MatricesAsBits) {

@@ -13,22 +13,48 @@
 namespace clearpipe::api {
 namespace {
 
-const std::set<std::string> kCore = {
+const std::set<std::string> kCommonLite = {
 #define CORE(name) #name,
+#define COMMON(name)
 #define EXTENSION(name)
 #include "api/registry_names.def"
 #undef CORE
+#undef COMMON
+#undef EXTENSION
+};
+// With those of the Common profile alone.
+const std::set<std::string> kCore = {
+#define CORE(name) #name,
+#define COMMON(name) #name,
+#define EXTENSION(name)
+#include "api/registry_names.def"
+#undef CORE
+#undef COMMON
 #undef EXTENSION
 };
 const std::set<std::string> kExtension = {
 #define CORE(name)
+#define COMMON(name)
 #define EXTENSION(name) #name,
 #include "api/registry_names.def"
 #undef CORE
+#undef COMMON
 #undef EXTENSION
 };
 const std::vector<std::string> kListed = {
 #define CALL(type, name, parameters, arguments, validator, executor, group, stages) "gl" #name,
+#include "api/gles1.def"
+#undef CALL
+};
+const std::set<std::string> kListedWithFloats = {
+#define CALL(...)
+#define COMMON_CALL(type, name, ...) "gl" #name,
+#include "api/gles1.def"
+#undef CALL
+};
+// What the calls take, as text.
+const std::map<std::string, std::string> kParameters = {
+#define CALL(type, name, parameters, ...) {"gl" #name, #parameters},
 #include "api/gles1.def"
 #undef CALL
 };
@@ -59,6 +85,19 @@ TEST(Registry, EveryCoreCommandIsListedOnce) {
   const std::set<std::string> listed(kListed.begin(), kListed.end());
   EXPECT_EQ(listed.size(), kListed.size());
   for (const std::string& name : kCore) EXPECT_TRUE(listed.count(name)) << name;
+}
+
+TEST(Registry, CallsWithFloatsAreOfTheCommonProfileAlone) {
+  EXPECT_EQ(kCore.size(), 144u);
+  EXPECT_EQ(kCommonLite.size(), 106u);
+  for (const std::string& name : kListed) {
+    const bool floats = kParameters.at(name).find("GLfloat") != std::string::npos &&
+                        name != "glSampleCoverage";  // see gles1.def
+    EXPECT_EQ(kListedWithFloats.count(name) != 0, floats) << name;
+    if (kCore.count(name) != 0) {
+      EXPECT_EQ(kCommonLite.count(name) == 0, floats) << name;
+    }
+  }
 }
 
 TEST(Registry, EveryListedCallHasAnAddressOfItsOwn) {

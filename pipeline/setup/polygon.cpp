@@ -9,7 +9,8 @@ namespace clearpipe::pipeline {
 
 int32_t snap(float pixels) {
   const float v = pixels * static_cast<float>(kSubpixelOne);
-  // Below 2^22, adding 1.5 * 2^23 rounds to the nearest integer; a call of the library takes longer.
+  // Below 2^22, adding 1.5 * 2^23 rounds to the nearest integer; a call of the library takes
+  // longer.
   constexpr float kMagic = 12582912.0f, kLimit = 4194304.0f;
   const float rounded = std::fabs(v) < kLimit ? (v + kMagic) - kMagic : std::nearbyint(v);
   return static_cast<int32_t>(rounded);
