@@ -264,7 +264,8 @@ TEST_F(CubeMaps, FacesAreDrawnTo) {
   EXPECT_EQ(attach(kFirst + 4, 0), GLenum{GL_NO_ERROR});
   glClearColor(0, 0, 1, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  // Drawing with what is drawn to: what it held before.
+  // Drawing with what is drawn to: what it held before, the face itself too.
+  EXPECT_EQ(towards(0, 0, 1), kBlue);
   EXPECT_EQ(towards(0, -1, 0), kGreen);
   glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0);
   EXPECT_EQ(towards(0, 0, 1), kGreen);

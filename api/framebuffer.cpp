@@ -153,15 +153,16 @@ constexpr Invalid kNoSurface{GL_INVALID_FRAMEBUFFER_OPERATION_OES,
                              "the context is current without a surface "
                              "(OES_surfaceless_context)"};
 
-// Whether the target is one of the first levels of the texture: itself, or through an EGLImage.
+// Whether the target is one of the first levels of the texture, or of one of its faces: itself, or
+// through an EGLImage.
 bool draws_to(const Context& c, const TextureObject& texture, size_t levels) {
   if (!c.draw.colour) return false;
-  const auto first = texture.image->levels.begin();
-  return std::any_of(first,
-                     first + static_cast<ptrdiff_t>(std::min(levels, texture.image->levels.size())),
-                     [&c](const pipeline::ImageLevel& level) {
-                       return level.texels.memory() == c.draw.colour->pixels;
-                     });
+  const auto& images = texture.image->levels;
+  const auto found = std::find_if(images.begin(), images.end(), [&c](const auto& level) {
+    return level.texels.memory() == c.draw.colour->pixels;
+  });
+  return found != images.end() &&
+         static_cast<size_t>(found - images.begin()) % kTextureLevels < levels;
 }
 
 }  // namespace
@@ -245,7 +246,7 @@ void note_drawn_image(Context& c) {
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (!draws_to(c, texture, texture.image->levels.size())) return;
+  if (!draws_to(c, texture, kTextureLevels)) return;
   c.finish_frame(Slow::kFinishes);
   if (c.framebuffer) discard_samples(*c.framebuffer);
 }
