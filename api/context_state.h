@@ -34,6 +34,9 @@ struct Context {
   // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
   // framebuffer object (framebuffer.h).
   pipeline::Target surface_draw, surface_read;
+  SurfaceOwner* surface_owner = nullptr;
+  bool frame_expected = false;  // the owner wants to know when the surfaces are used again
+  bool surface_drawn = false;   // since the owner was told
   pipeline::Target draw, read;
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
@@ -64,6 +67,10 @@ struct Context {
   void finish_frame(Slow why) {
     if (!frame.empty()) note_slow(why);
     finish_frame();
+  }
+  void tell_owner() {
+    if (surface_drawn && surface_owner) surface_owner->surface_is_drawn();
+    surface_drawn = false;
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(const Invalid& wrong) {

@@ -93,8 +93,14 @@ GLenum get_error(Context& c) {
 }
 
 // Both execute everything: nothing is drawn while the application goes on.
-void finish_all(Context& c) { c.finish_frame(); }
-void flush_all(Context& c) { c.finish_frame(Slow::kWaits); }
+void finish_all(Context& c) {
+  c.finish_frame();
+  c.tell_owner();
+}
+void flush_all(Context& c) {
+  c.finish_frame(Slow::kWaits);
+  c.tell_owner();
+}
 
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;

@@ -230,12 +230,16 @@ void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Targe
 }
 
 void update_targets(Context& c) {
+  if (!c.framebuffer) begin_frame(&c);
   const pipeline::Target draw = draw_target(c);
   if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
 }
 
 void note_drawn_image(Context& c) {
-  if (!c.framebuffer) return;
+  if (!c.framebuffer) {
+    c.surface_drawn = true;
+    return;
+  }
   const Attachment& colour = c.framebuffer->colour;
   if (colour.texture) note_uses(c, *colour.texture);
   if (colour.renderbuffer) note_uses(c, *colour.renderbuffer);

@@ -1,7 +1,8 @@
 // The order of the vertex stages, compiled once per SIMD target (2.8 to 2.12).
 //
 // fetch -> transform or skin -> clip tests -> viewport -> normals, texture coordinates -> colour ->
-// points, fog -> records, a batch at a time. SPDX-License-Identifier: MIT
+// points, fog -> records, a batch at a time.
+// SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
