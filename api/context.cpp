@@ -25,7 +25,7 @@ Context* create_context(Context* share, ContextFlags flags) noexcept try {
     unit.texture = context->default_texture;
   }
   context->debug.output = flags.debug;
-  context->no_error = flags.no_error;
+  context->flags = flags;
   pipeline::select_simd_target();
   context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
   return context.release();
