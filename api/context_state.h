@@ -20,12 +20,19 @@ struct VertexArrayObject : VertexArrayState {
   std::string label;
 };
 
+// NV_fence: not shared either.
+struct FenceObject {
+  explicit FenceObject(GLuint) {}
+  GLenum condition = GL_ALL_COMPLETED_NV;
+  uint64_t frame = 0;  // on the context's clock, when it was set
+};
+
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
-  Invalid raised;         // by the call that is running
-  bool no_error = false;  // KHR_no_error: nothing but OUT_OF_MEMORY is reported
+  Invalid raised;  // by the call that is running
+  ContextFlags flags;
   DebugState debug;
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_2D);
@@ -41,6 +48,7 @@ struct Context {
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
   NameTable<VertexArrayObject> vertex_arrays;
+  NameTable<FenceObject> fences;
   VertexArrayState default_vertex_array;  // while another one is bound
   bool was_current = false;
   pipeline::Frame frame;
@@ -74,7 +82,7 @@ struct Context {
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(const Invalid& wrong) {
-    if (no_error && wrong.error != GL_OUT_OF_MEMORY) return;
+    if (flags.no_error && wrong.error != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = wrong.error;
     raised = wrong;
   }

@@ -52,6 +52,19 @@ void note_texture_uses(Context& c) {
   }
 }
 
+int64_t read_row_bytes(const Context& c, GLsizei width, GLenum format, GLenum type) {
+  const int64_t alignment = c.state.misc.pack_alignment;
+  const int64_t bytes = static_cast<int64_t>(read_bytes(format, type)) * width;
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+int64_t bytes_read(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
+  if (width == 0 || height == 0) return 0;
+  const int64_t row = read_row_bytes(c, width, format, type);
+  if (row > INT64_MAX / height) return INT64_MAX;
+  return row * (height - 1) + static_cast<int64_t>(read_bytes(format, type)) * width;
+}
+
 }  // namespace clearpipe::api
 
 namespace clearpipe::api::exec {
@@ -230,14 +243,18 @@ void clear(Context& c, GLbitfield mask) {
   if (!c.frame.clear(command)) c.set_error(kOutOfMemory);
 }
 
+void read_n_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                   GLenum type, GLsizei, void* data) {
+  read_pixels(c, x, y, width, height, format, type, data);
+}
+
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
   const pipeline::ColourBuffer& from = *c.read.colour;
-  const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t bytes = static_cast<int64_t>(read_bytes(format, type));
-  const int64_t row_bytes = (bytes * width + alignment - 1) / alignment * alignment;
+  const int64_t row_bytes = read_row_bytes(c, width, format, type);
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;

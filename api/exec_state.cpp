@@ -181,8 +181,13 @@ void front_face(Context& c, GLenum mode) {
 }
 
 void polygon_offset(Context& c, float factor, float units) {
+  polygon_offset_clamp(c, factor, units, 0);
+}
+
+void polygon_offset_clamp(Context& c, float factor, float units, float clamp) {
   c.state.raster.offset_factor = factor;
   c.state.raster.offset_units = units;
+  c.state.raster.offset_clamp = clamp;
   c.dirty |= kDirtyRaster;
 }
 

@@ -10,6 +10,7 @@
 #include "api/compressed_format.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/raster_tokens.h"
 #include "api/texture_target.h"
 #include "api/validate.h"
 
@@ -387,17 +388,20 @@ void get_buffer_parameter(Context& c, GLenum target, GLenum pname, GLint* params
 }
 
 // OES_query_matrix: component i is mantissa[i] * 2^exponent[i]; a set bit marks one that is not a
-// finite number.
+// finite number. All 24 bits of a float fit into a mantissa between 2^13 and 2^14.
 GLbitfield query_matrix(Context& c, GLfixed* mantissa, GLint* exponent) {
+  constexpr int kIntegerBits = 14;
   GLbitfield invalid = 0;
   const Mat4& matrix = current_stack(c).top();
   for (unsigned i = 0; i < 16; ++i) {
     mantissa[i] = 0;
     exponent[i] = 0;
-    if (std::isfinite(matrix.m[i])) {
-      mantissa[i] = to_fixed(std::frexp(matrix.m[i], &exponent[i]));
-    } else {
+    const float value = matrix.m[i];
+    if (!std::isfinite(value)) {
       invalid |= 1u << i;
+    } else if (value != 0) {
+      mantissa[i] = to_fixed(std::ldexp(std::frexp(value, &exponent[i]), kIntegerBits));
+      exponent[i] -= kIntegerBits;
     }
   }
   return invalid;

@@ -125,6 +125,7 @@ struct RasterizationState {
   bool cull_face = false;
   GLenum cull_mode = GL_BACK, front_face = GL_CCW;
   float offset_factor = 0, offset_units = 0;
+  float offset_clamp = 0;  // EXT_polygon_offset_clamp
   bool offset_fill = false;
 };
 

@@ -106,6 +106,8 @@ Invalid bind_vertex_array(const Context&, GLuint name);
 Invalid clear(const Context&, GLbitfield mask);
 Invalid read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                     GLenum type, const void*);
+Invalid read_n_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
+                      GLenum type, GLsizei size, const void*);
 Invalid draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 Invalid draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
 Invalid draw_texture(const Context&, float x, float y, float z, float width, float height);
@@ -157,6 +159,18 @@ Invalid get_object_label(const Context&, GLenum identifier, GLuint name, GLsizei
 template <typename... Arguments>
 Invalid sync_label(const Context&, const Arguments&...) {
   return {GL_INVALID_VALUE, "{0} is no sync object: there are none (KHR_debug, 5.5.8)"};
+}
+Invalid label_object(const Context&, GLenum type, GLuint name, GLsizei length, const char*);
+Invalid get_label_ext(const Context&, GLenum type, GLuint name, GLsizei size, const GLsizei*,
+                      const char*);
+// validate_fence.cpp
+Invalid set_fence(const Context&, GLuint name, GLenum condition);
+Invalid existing_fence(const Context&, GLuint name);
+Invalid get_fence(const Context&, GLuint name, GLenum pname, const GLint*);
+// No program has uniforms: there are no programs.
+template <typename... Arguments>
+Invalid get_uniform(const Context&, const Arguments&...) {
+  return {GL_INVALID_VALUE, "{0} is no program: there are none (EXT_robustness, 6.1.8)"};
 }
 // queries.cpp
 Invalid get(const Context&, GLenum pname, const Out&);

@@ -1,5 +1,6 @@
 // Validators of vertex arrays, buffer objects, drawing and reading.
 // SPDX-License-Identifier: MIT
+#include "api/draw.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/validate.h"
@@ -116,8 +117,10 @@ Invalid clear(const Context& c, GLbitfield mask) {
   return drawn_framebuffer(c);
 }
 
-Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
-                    GLenum type, const void* pixels) {
+namespace {
+// The first six arguments of calls that read pixels.
+Invalid read_rectangle(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                       GLenum type) {
   if (width < 0 || height < 0) return {GL_INVALID_VALUE, "{2} or {3} is negative (4.3.1)"};
   if (!is_base_format(format) && format != GL_BGRA_EXT) {
     return {GL_INVALID_ENUM, "{4} is no format of pixels (3.6.2, table 3.3)"};
@@ -132,8 +135,23 @@ Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei heigh
             "pixels are not read as {4} of {5}, but as RGBA of UNSIGNED_BYTE (4.3.1) or as BGRA "
             "(EXT_read_format_bgra)"};
   }
-  if (const Invalid wrong = read_framebuffer(c)) return wrong;
+  return read_framebuffer(c);
+}
+}  // namespace
+
+Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
+                    GLenum type, const void* pixels) {
+  if (const Invalid wrong = read_rectangle(c, width, height, format, type)) return wrong;
   return value_unless(pixels != nullptr, "{6} is no place to write to (4.3.1)");
+}
+
+Invalid read_n_pixels(const Context& c, GLint x, GLint y, GLsizei width, GLsizei height,
+                      GLenum format, GLenum type, GLsizei size, const void* data) {
+  if (const Invalid wrong = read_rectangle(c, width, height, format, type)) return wrong;
+  if (size < bytes_read(c, width, height, format, type)) {
+    return {GL_INVALID_OPERATION, "{6} is less than the pixels take (EXT_robustness, 4.3.1)"};
+  }
+  return read_pixels(c, x, y, width, height, format, type, data).from(1);
 }
 
 Invalid draw_arrays(const Context& c, GLenum mode, GLint first, GLsizei count) {
