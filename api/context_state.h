@@ -53,6 +53,8 @@ struct Context {
   bool was_current = false;
   pipeline::Frame frame;
   pipeline::VertexState vertex_state;
+  pipeline::MatrixPalette palette;  // of vertex_state
+  bool palette_has_normals = false;
   pipeline::RasterState raster_state;
   pipeline::FragmentState fragment_state;
   std::array<uint64_t, kTextureUnits> texture_version{};  // derived from, per unit
@@ -99,6 +101,11 @@ bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes);
 
 MatrixStack& current_stack(Context& context);
 const MatrixStack& current_stack(const Context& context);
+
+// The vertex array of that name (2.8), of CLIENT_ACTIVE_TEXTURE for texture coordinates; null if
+// there is none.
+ArrayState* find_array(ArraysState& arrays, GLenum name);
+const ArrayState* find_array(const ArraysState& arrays, GLenum name);
 
 // The boolean a capability enables (each in its section), with what it makes dirty; null value if
 // the enumerant is none.

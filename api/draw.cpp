@@ -116,6 +116,16 @@ bool bind_array(const ArrayState& array, bool normalized, AttributeSource& sourc
   return true;
 }
 
+// OES_matrix_palette: nothing is drawn without both.
+bool bind_palette_arrays(const ArraysState& a, pipeline::DrawCommand& command) {
+  using pipeline::Attribute;
+  const auto bind = [&command](Attribute attribute, const ArrayState& array) {
+    return array.enabled && array.size > 0 &&
+           bind_array(array, false, command.attributes[static_cast<size_t>(attribute)]);
+  };
+  return bind(Attribute::kMatrixIndex, a.matrix_index) && bind(Attribute::kWeight, a.weight);
+}
+
 bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   const ArraysState& a = c.state.arrays;
   const CurrentState& current = c.state.current;
@@ -131,6 +141,7 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
       !bind(2, a.colour, true, current.colour) || !bind(3, a.point_size, false, {size, 0, 0, 1})) {
     return false;
   }
+  if (c.state.transform.matrix_palette && !bind_palette_arrays(a, command)) return false;
   for (size_t u = 0; u < kTextureUnits; ++u) {
     if (!bind(4 + u, a.tex_coord[u], false, current.tex_coord[u])) {
       // An array nobody samples with does not matter.
@@ -145,11 +156,9 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
   note_texture_uses(c);
   const ArraysState& a = c.state.arrays;
-  auto note = [&c](const ArrayState& array) {
+  visit_arrays(a, [&c](const ArrayState& array) {
     if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
-  };
-  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) note(*array);
-  for (const ArrayState& array : a.tex_coord) note(array);
+  });
   if (command.index_buffer) a.element_array_buffer->uses.note(c.clock);
 }
 

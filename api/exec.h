@@ -48,6 +48,8 @@ void matrix_mode(Context&, GLenum mode);
 void load_identity(Context&);
 void load_matrix(Context&, const Params&);
 void mult_matrix(Context&, const Params&);
+void current_palette_matrix(Context&, GLuint index);
+void load_palette_from_model_view_matrix(Context&);
 void push_matrix(Context&);
 void pop_matrix(Context&);
 void rotate_matrix(Context&, float angle, float x, float y, float z);
@@ -70,6 +72,8 @@ void color_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void
 void normal_pointer(Context&, GLenum type, GLsizei stride, const void* pointer);
 void tex_coord_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void point_size_pointer(Context&, GLenum type, GLsizei stride, const void* pointer);
+void matrix_index_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void weight_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void bind_buffer(Context&, GLenum target, GLuint buffer);
 void gen_buffers(Context&, GLsizei n, GLuint* names);
 void delete_buffers(Context&, GLsizei n, const GLuint* names);

@@ -18,6 +18,8 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.transform.normalize, kDirtyVertex};
     case GL_RESCALE_NORMAL:
       return {&s.transform.rescale_normal, kDirtyVertex};
+    case GL_MATRIX_PALETTE_OES:
+      return {&s.transform.matrix_palette, kDirtyVertex};
     case GL_FOG:
       return {&s.fog.enabled, kDirtyTexture};
     case GL_LIGHTING:

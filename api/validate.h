@@ -39,6 +39,7 @@ Invalid is_enabled(const Context&, GLenum cap);
 Invalid multi_tex_coord(const Context&, GLenum target, float, float, float, float);
 Invalid texture_unit(const Context&, GLenum texture);
 Invalid matrix_mode(const Context&, GLenum mode);
+Invalid current_palette_matrix(const Context&, GLuint index);
 Invalid push_matrix(const Context&);
 Invalid pop_matrix(const Context&);
 Invalid frustum_planes(const Context&, float l, float r, float b, float t, float n, float f);
@@ -92,6 +93,10 @@ Invalid vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, 
 Invalid color_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
 Invalid normal_pointer(const Context&, GLenum type, GLsizei stride, const void*);
 Invalid point_size_pointer(const Context&, GLenum type, GLsizei stride, const void*);
+Invalid matrix_index_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                             const void* pointer);
+Invalid weight_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                       const void* pointer);
 Invalid buffer_target(const Context&, GLenum target, GLuint);
 Invalid buffer_data(const Context&, GLenum target, GLsizeiptr size, const void*, GLenum usage);
 Invalid buffer_sub_data(const Context&, GLenum target, GLintptr offset, GLsizeiptr size,

@@ -27,18 +27,19 @@ bool is_coordinate_type(GLenum type) {
 // Mapped buffers are not drawn from (OES_mapbuffer).
 Invalid drawn_arrays(const Context& c) {
   const ArraysState& a = c.state.arrays;
-  const auto mapped = [](const ArrayState& array) {
-    return array.enabled && array.buffer && array.buffer->mapped;
-  };
   bool any = false;
-  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) {
-    any = any || mapped(*array);
-  }
-  for (const ArrayState& array : a.tex_coord) any = any || mapped(array);
+  visit_arrays(a, [&any](const ArrayState& array) {
+    any = any || (array.enabled && array.buffer && array.buffer->mapped);
+  });
   if (any) {
     return {GL_INVALID_OPERATION, "the buffer of an enabled array is mapped (OES_mapbuffer)"};
   }
   return drawn_framebuffer(c);
+}
+
+Invalid vertex_units(GLint size) {
+  return value_unless(size >= 1 && size <= kVertexUnits,
+                      "{0} is not in [1, MAX_VERTEX_UNITS_OES] (OES_matrix_palette, 2.8)");
 }
 
 Invalid primitive(GLenum mode) {
@@ -47,17 +48,8 @@ Invalid primitive(GLenum mode) {
 
 }  // namespace
 
-Invalid client_state(const Context&, GLenum array, bool) {
-  switch (array) {
-    case GL_VERTEX_ARRAY:
-    case GL_NORMAL_ARRAY:
-    case GL_COLOR_ARRAY:
-    case GL_TEXTURE_COORD_ARRAY:
-    case GL_POINT_SIZE_ARRAY_OES:
-      return {};
-    default:
-      return {GL_INVALID_ENUM, "{0} is no array (2.8)"};
-  }
+Invalid client_state(const Context& c, GLenum array, bool) {
+  return enum_unless(find_array(c.state.arrays, array) != nullptr, "{0} is no array (2.8)");
 }
 
 Invalid vertex_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
@@ -81,6 +73,18 @@ Invalid normal_pointer(const Context& c, GLenum type, GLsizei stride, const void
 
 Invalid point_size_pointer(const Context& c, GLenum type, GLsizei stride, const void* pointer) {
   return array_pointer(c, type == GL_FIXED || type == GL_FLOAT, stride, pointer);
+}
+
+Invalid matrix_index_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                             const void* pointer) {
+  if (const Invalid wrong = vertex_units(size)) return wrong;
+  return array_pointer(c, type == GL_UNSIGNED_BYTE, stride, pointer).from(1);
+}
+
+Invalid weight_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                       const void* pointer) {
+  if (const Invalid wrong = vertex_units(size)) return wrong;
+  return array_pointer(c, type == GL_FIXED || type == GL_FLOAT, stride, pointer).from(1);
 }
 
 Invalid buffer_target(const Context&, GLenum target, GLuint) {

@@ -65,8 +65,8 @@ struct Material {
 
 // OES_matrix_palette: one matrix after another, column-major as in Mat4.
 struct MatrixPalette {
-  std::array<float, 16 * kPaletteMatrices> matrix;
-  std::array<float, 9 * kPaletteMatrices> normal_matrix;  // transposed inverses; with normals
+  std::array<float, 16 * kPaletteMatrices> matrix{};
+  std::array<float, 9 * kPaletteMatrices> normal_matrix{};  // transposed inverses; with normals
 };
 
 struct VertexState {
