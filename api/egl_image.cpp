@@ -83,6 +83,7 @@ ImageError share_renderbuffer(const Context& c, GLuint name, EglImagePtr& out) {
   if (!renderbuffer || (!renderbuffer->colour && !renderbuffer->depth_stencil)) {
     return ImageError::kBadParameter;
   }
+  if (renderbuffer->samples != 0) return ImageError::kBadParameter;
   if (is_shared(renderbuffer->sibling)) return ImageError::kBadAccess;
   refresh(*renderbuffer);
   out = std::make_shared<EglImage>();
@@ -288,6 +289,7 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   RenderbufferObject& r = *c.renderbuffer;
   r.width = image->width;
   r.height = image->height;
+  r.samples = 0;
   r.internal = image->renderbuffer_internal;
   r.colour = std::move(colour);
   r.depth_stencil = image->depth_stencil;

@@ -120,6 +120,46 @@ TEST_F(ObjectErrors, RenderbufferStorage) {
   expect_refused(kCases);
 }
 
+// EXT_multisampled_render_to_texture
+TEST_F(ObjectErrors, Samples) {
+  static const auto attach_samples = [](GLenum target, GLenum point, GLenum texture_target,
+                                        GLuint name, GLint level, GLsizei samples) {
+    glFramebufferTexture2DMultisampleEXT(target, point, texture_target, name, level, samples);
+  };
+  static const auto store = [](GLenum target, GLsizei samples, GLenum format, GLsizei size) {
+    glRenderbufferStorageMultisampleEXT(target, samples, format, size, 1);
+  };
+  const ErrorCase kUnbound[] = {
+      REFUSED(GL_INVALID_OPERATION, store(kRenderbuffer, 4, GL_RGBA8_OES, 1)),
+      REFUSED(GL_INVALID_OPERATION, attach_samples(kFramebuffer, kColour, k2D, 1, 0, 4)),
+  };
+  expect_refused(kUnbound);
+  glBindRenderbufferOES(kRenderbuffer, 3);
+  glBindFramebufferOES(kFramebuffer, 3);
+  glFramebufferTexture2DMultisampleEXT(kFramebuffer, kColour, k2D, 1, 0, 4);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_ENUM, attach_samples(kRenderbuffer, kColour, k2D, 1, 0, 0)),
+      REFUSED(GL_INVALID_ENUM, attach_samples(kFramebuffer, kDepth, k2D, 1, 0, 0)),
+      REFUSED(GL_INVALID_ENUM, attach_samples(kFramebuffer, kColour, GL_TEXTURE, 1, 0, 0)),
+      REFUSED(GL_INVALID_OPERATION, attach_samples(kFramebuffer, kColour, k2D, 77, 0, 0)),
+      REFUSED(GL_INVALID_VALUE, attach_samples(kFramebuffer, kColour, k2D, 1, -1, 0)),
+      REFUSED(GL_INVALID_VALUE, attach_samples(kFramebuffer, kColour, k2D, 1, 0, 5)),
+      REFUSED(GL_INVALID_VALUE, attach_samples(kFramebuffer, kColour, k2D, 1, 0, -1)),
+      REFUSED(GL_INVALID_ENUM, store(kFramebuffer, 0, GL_RGBA8_OES, 1)),
+      REFUSED(GL_INVALID_ENUM, store(kRenderbuffer, 0, GL_RGBA, 1)),
+      REFUSED(GL_INVALID_VALUE, store(kRenderbuffer, 5, GL_RGBA8_OES, 1)),
+      REFUSED(GL_INVALID_VALUE, store(kRenderbuffer, -1, GL_RGBA8_OES, 1)),
+      REFUSED(GL_INVALID_VALUE, store(kRenderbuffer, 1, GL_RGBA8_OES, 16385)),
+  };
+  expect_refused(kCases);
+  EXPECT_EQ(glCheckFramebufferStatusOES(kFramebuffer), GLenum{GL_FRAMEBUFFER_COMPLETE_OES});
+  storage(5, GL_DEPTH_COMPONENT16_OES, 4);
+  attach(kDepth, 5);
+  expect_refused(uses());  // a texture with samples, depth without
+  glFramebufferTexture2DMultisampleEXT(kFramebuffer, kColour, k2D, 0, 0, 4);
+  attach(kDepth, 0);
+}
+
 // 4.4.4.2: every reason not to be complete.
 TEST_F(ObjectErrors, IncompleteFramebuffers) {
   glBindFramebufferOES(kFramebuffer, 3);

@@ -113,6 +113,8 @@ void bind_renderbuffer(Context&, GLenum target, GLuint name);
 void gen_renderbuffers(Context&, GLsizei n, GLuint* names);
 void delete_renderbuffers(Context&, GLsizei n, const GLuint* names);
 void renderbuffer_storage(Context&, GLenum target, GLenum internal, GLsizei width, GLsizei height);
+void renderbuffer_storage_multisample(Context&, GLenum target, GLsizei samples, GLenum internal,
+                                      GLsizei width, GLsizei height);
 void get_renderbuffer_parameter(Context&, GLenum target, GLenum pname, GLint* params);
 GLboolean is_framebuffer(Context&, GLuint name);
 void bind_framebuffer(Context&, GLenum target, GLuint name);
@@ -121,6 +123,8 @@ void delete_framebuffers(Context&, GLsizei n, const GLuint* names);
 GLenum check_framebuffer_status(Context&, GLenum target);
 void framebuffer_renderbuffer(Context&, GLenum target, GLenum point, GLenum, GLuint name);
 void framebuffer_texture(Context&, GLenum target, GLenum point, GLenum, GLuint name, GLint level);
+void framebuffer_texture_multisample(Context&, GLenum target, GLenum point, GLenum, GLuint name,
+                                     GLint level, GLsizei samples);
 void get_framebuffer_attachment_parameter(Context&, GLenum target, GLenum point, GLenum pname,
                                           GLint* params);
 void discard_framebuffer(Context&, GLenum target, GLsizei n, const GLenum* attachments);

@@ -1,6 +1,7 @@
 // Framebuffer and renderbuffer objects (OES_framebuffer_object; sections are those of
 // EXT_framebuffer_object).
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <new>
 
 #include "api/exec.h"
@@ -16,6 +17,9 @@ void attach(Context& c, GLenum point, const Attachment& attachment) {
   c.finish_frame(Slow::kChangesTarget);
   *attachment_point(*c.framebuffer, point) = attachment;
 }
+
+// EXT_multisampled_render_to_texture, 4.4.3: the next number that is supported.
+int supported_samples(GLsizei samples) { return samples > 0 ? kMaxSamples : 0; }
 
 }  // namespace
 
@@ -40,21 +44,31 @@ void delete_renderbuffers(Context& c, GLsizei n, const GLuint* names) {
   }
 }
 
-void renderbuffer_storage(Context& c, GLenum, GLenum internal, GLsizei width, GLsizei height) {
+void renderbuffer_storage(Context& c, GLenum target, GLenum internal, GLsizei width,
+                          GLsizei height) {
+  renderbuffer_storage_multisample(c, target, 0, internal, width, height);
+}
+
+void renderbuffer_storage_multisample(Context& c, GLenum, GLsizei samples, GLenum internal,
+                                      GLsizei width, GLsizei height) {
+  const int kept = supported_samples(samples);
   const RenderbufferFormat format = renderbuffer_format(internal);
   std::shared_ptr<pipeline::ColourBuffer> colour;
   std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil;
   if (width > 0 && height > 0) {
-    if (format.colour) colour = pipeline::make_colour_buffer(width, height, format.alpha);
-    if (!format.colour) {
+    const int planes = std::max(kept, 1);
+    if (format.colour) {
+      colour = pipeline::make_colour_buffer(width, height, format.alpha, planes);
+    } else {
       depth_stencil =
-          pipeline::make_depth_stencil_buffer(width, height, format.depth, format.stencil);
+          pipeline::make_depth_stencil_buffer(width, height, format.depth, format.stencil, planes);
     }
     if (!colour && !depth_stencil) throw std::bad_alloc();
   }
   RenderbufferObject& r = *c.renderbuffer;
   r.width = width;
   r.height = height;
+  r.samples = kept;
   r.internal = internal;
   r.colour = std::move(colour);
   r.depth_stencil = std::move(depth_stencil);
@@ -75,6 +89,9 @@ void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params)
       break;
     case GL_RENDERBUFFER_INTERNAL_FORMAT_OES:
       *params = static_cast<GLint>(r.internal);
+      break;
+    case GL_RENDERBUFFER_SAMPLES_EXT:
+      *params = r.samples;
       break;
     case GL_RENDERBUFFER_ALPHA_SIZE_OES:
       *params = format.alpha ? 8 : 0;
@@ -98,6 +115,7 @@ GLboolean is_framebuffer(Context& c, GLuint name) {
 void bind_framebuffer(Context& c, GLenum, GLuint name) {
   c.framebuffer = name == 0 ? nullptr : c.share->framebuffers.bind(name);
   use_targets(c, draw_target(c), read_target(c));
+  if (c.framebuffer) discard_samples(*c.framebuffer);
 }
 
 void gen_framebuffers(Context& c, GLsizei n, GLuint* names) {
@@ -123,6 +141,13 @@ void framebuffer_texture(Context& c, GLenum, GLenum point, GLenum, GLuint name, 
   attach(c, point, {nullptr, texture, texture ? level : 0});
 }
 
+void framebuffer_texture_multisample(Context& c, GLenum target, GLenum point, GLenum texture_target,
+                                     GLuint name, GLint level, GLsizei samples) {
+  framebuffer_texture(c, target, point, texture_target, name, level);
+  Attachment& attachment = *attachment_point(*c.framebuffer, point);
+  if (attachment.texture) attachment.samples = supported_samples(samples);
+}
+
 void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLenum pname,
                                           GLint* params) {
   const Attachment& a = *attachment_point(*c.framebuffer, point);
@@ -135,6 +160,9 @@ void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLen
       break;
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES:
       *params = a.level;
+      break;
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT:
+      *params = a.samples;
       break;
     default:
       *params = 0;  // the face: not a cube map

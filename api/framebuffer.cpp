@@ -4,6 +4,7 @@
 #include "api/framebuffer.h"
 
 #include <algorithm>
+#include <new>
 
 #include "api/egl_image.h"
 
@@ -16,13 +17,14 @@ struct AttachedImage {
   bool present = false;
   int width = 0, height = 0;
   bool colour = false, depth = false, stencil = false;
+  int samples = 0;
 };
 
 AttachedImage image_of(const Attachment& a) {
   AttachedImage image;
   if (a.renderbuffer) {
     const RenderbufferObject& r = *a.renderbuffer;
-    image = {true, r.width, r.height, r.colour != nullptr, false, false};
+    image = {true, r.width, r.height, r.colour != nullptr, false, false, r.samples};
     image.depth = r.depth_stencil && r.depth_stencil->has_depth;
     image.stencil = r.depth_stencil && r.depth_stencil->has_stencil;
   } else if (a.texture) {
@@ -30,7 +32,7 @@ AttachedImage image_of(const Attachment& a) {
     // RGB and RGBA are colour-renderable; compressed images are not.
     const bool colour =
         level.internal == level.format && (level.format == GL_RGB || level.format == GL_RGBA);
-    image = {true, level.width, level.height, colour, false, false};
+    image = {true, level.width, level.height, colour, false, false, a.samples};
   }
   return image;
 }
@@ -58,6 +60,11 @@ GLenum status_of(const FramebufferObject& f) {
     }
   }
   if (!first) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_OES;
+  for (const AttachedImage* image : {&colour, &depth, &stencil}) {
+    if (image->present && image->samples != first->samples) {
+      return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE_EXT;
+    }
+  }
   if (depth.present && stencil.present && f.depth.renderbuffer != f.stencil.renderbuffer) {
     return GL_FRAMEBUFFER_UNSUPPORTED_OES;
   }
@@ -76,6 +83,22 @@ std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t
   return buffer;
 }
 
+// The same of an attachment, with its implicit multisample buffer: a new one if the level has other
+// memory than before (EXT_multisampled_render_to_texture).
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(Attachment& a) {
+  auto buffer = buffer_of(*a.texture, static_cast<size_t>(a.level));
+  if (a.samples == 0) return buffer;
+  const size_t tiles = pipeline::tile_count(buffer->width, buffer->height);
+  if (!a.sample_buffer || a.sample_buffer->discarded.size() != tiles ||
+      a.sampled.lock() != buffer->pixels) {
+    a.sample_buffer = pipeline::make_sample_buffer(buffer->width, buffer->height);
+    if (!a.sample_buffer) throw std::bad_alloc();
+    a.sampled = buffer->pixels;
+  }
+  buffer->samples = a.sample_buffer;
+  return buffer;
+}
+
 // A renderbuffer's depth and stencil as far as they are attached: the same memory.
 std::shared_ptr<pipeline::DepthStencilBuffer> buffer_of(const FramebufferObject& f) {
   const RenderbufferPtr& renderbuffer = (f.depth.renderbuffer ? f.depth : f.stencil).renderbuffer;
@@ -90,14 +113,14 @@ std::shared_ptr<pipeline::DepthStencilBuffer> buffer_of(const FramebufferObject&
 }
 
 // Of a complete framebuffer object.
-pipeline::Target target_of(const FramebufferObject& f) {
+pipeline::Target target_of(FramebufferObject& f) {
   pipeline::Target target;
   target.mirrored = false;
   if (f.colour.renderbuffer) {
     refresh(*f.colour.renderbuffer);
     target.colour = f.colour.renderbuffer->colour;
   } else if (f.colour.texture) {
-    target.colour = buffer_of(*f.colour.texture, static_cast<size_t>(f.colour.level));
+    target.colour = buffer_of(f.colour);
   }
   target.depth_stencil = buffer_of(f);
   target.width = target.colour ? target.colour->width : target.depth_stencil->width;
@@ -112,7 +135,7 @@ bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]
 bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha && a->uniform == b->uniform;
+         a->has_alpha == b->has_alpha && a->uniform == b->uniform && a->samples == b->samples;
 }
 bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
   if (a == b || !a || !b) return a == b;
@@ -168,6 +191,10 @@ Invalid drawn_framebuffer(const Context& c) {
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_OES:
       return incomplete(
           "nothing is attached to the framebuffer object (OES_framebuffer_object, 4.4.4.2)");
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE_EXT:
+      return incomplete(
+          "the images attached to the framebuffer object differ in their samples "
+          "(EXT_multisampled_render_to_texture, 4.4.5)");
     default:
       return incomplete(
           "depth and stencil of the framebuffer object are different images, which is not "
@@ -213,7 +240,15 @@ void note_drawn_image(Context& c) {
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (draws_to(c, texture, texture.image->levels.size())) c.finish_frame(Slow::kFinishes);
+  if (!draws_to(c, texture, texture.image->levels.size())) return;
+  c.finish_frame(Slow::kFinishes);
+  if (c.framebuffer) discard_samples(*c.framebuffer);
+}
+
+void discard_samples(FramebufferObject& framebuffer) {
+  if (const auto& samples = framebuffer.colour.sample_buffer) {
+    std::fill(samples->discarded.begin(), samples->discarded.end(), uint8_t{1});
+  }
 }
 
 bool samples_its_target(const Context& c, const TextureObject& texture) {

@@ -32,6 +32,10 @@ void note_drawn_image(Context& context);
 // has recorded that draws to one of them.
 void finish_drawing_to(Context& context, const TextureObject& texture);
 
+// Forgets the samples of the texture that is attached: each is then what the texture holds
+// (EXT_multisampled_render_to_texture). What was recorded must have been executed.
+void discard_samples(FramebufferObject& framebuffer);
+
 // Whether drawing with the texture would read the level that is drawn to.
 bool samples_its_target(const Context& context, const TextureObject& texture);
 

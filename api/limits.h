@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "pipeline/raster/samples.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::api {
@@ -15,6 +16,7 @@ inline constexpr int kTextureStackDepth = 10;
 inline constexpr int kMaxTextureSize = 16384;
 inline constexpr int kTextureLevels = 15;  // 16384 down to 1
 inline constexpr int kMaxRenderbufferSize = 16384;
+inline constexpr int kMaxSamples = pipeline::kSampleCount;
 inline constexpr float kMaxTextureLodBias = 15;
 inline constexpr float kMaxAnisotropy = 16;
 inline constexpr int kMaxViewport = 16384;

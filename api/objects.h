@@ -88,6 +88,7 @@ struct RenderbufferObject {
   explicit RenderbufferObject(GLuint n) : name(n) {}
   const GLuint name;
   int width = 0, height = 0;
+  int samples = 0;  // EXT_multisampled_render_to_texture
   GLenum internal = GL_RGBA4_OES;
   std::string label;
   // Of the two, what the internal format has; none before there is storage, or when it has no size.
@@ -102,6 +103,11 @@ struct Attachment {
   RenderbufferPtr renderbuffer;
   TexturePtr texture;
   GLint level = 0;
+  // EXT_multisampled_render_to_texture, of textures: the samples, and the implicit multisample
+  // buffer, which is made when it is drawn to.
+  int samples = 0;
+  std::shared_ptr<pipeline::SampleBuffer> sample_buffer = nullptr;
+  std::weak_ptr<uint32_t[]> sampled = {};  // the pixels it belongs to
 };
 
 struct FramebufferObject {

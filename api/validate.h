@@ -114,11 +114,16 @@ Invalid framebuffer_target(const Context&, GLenum target, GLuint);
 Invalid renderbuffer_target(const Context&, GLenum target, GLuint);
 Invalid renderbuffer_storage(const Context&, GLenum target, GLenum internal, GLsizei width,
                              GLsizei height);
+Invalid renderbuffer_storage_multisample(const Context&, GLenum target, GLsizei samples,
+                                         GLenum internal, GLsizei width, GLsizei height);
 Invalid get_renderbuffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
 Invalid framebuffer_renderbuffer(const Context&, GLenum target, GLenum point,
                                  GLenum renderbuffer_target, GLuint name);
 Invalid framebuffer_texture(const Context&, GLenum target, GLenum point, GLenum texture_target,
                             GLuint name, GLint level);
+Invalid framebuffer_texture_multisample(const Context&, GLenum target, GLenum point,
+                                        GLenum texture_target, GLuint name, GLint level,
+                                        GLsizei samples);
 Invalid get_framebuffer_attachment_parameter(const Context&, GLenum target, GLenum point,
                                              GLenum pname, const GLint*);
 Invalid discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);

@@ -24,6 +24,12 @@ Invalid attachment(const Context& c, GLenum target, GLenum name) {
                           "object is bound (OES_framebuffer_object, 4.4.2)");
 }
 
+Invalid sample_count(GLsizei samples) {
+  return value_unless(samples >= 0 && samples <= kMaxSamples,
+                      "{0} is not in [0, MAX_SAMPLES_EXT] (EXT_multisampled_render_to_texture, "
+                      "4.4.3)");
+}
+
 Invalid no_renderbuffer(const Context& c) {
   return operation_unless(c.renderbuffer != nullptr,
                           "no renderbuffer is bound (OES_framebuffer_object, 4.4.2.1)");
@@ -58,11 +64,19 @@ Invalid renderbuffer_storage(const Context& c, GLenum target, GLenum internal, G
   return no_renderbuffer(c);
 }
 
+Invalid renderbuffer_storage_multisample(const Context& c, GLenum target, GLsizei samples,
+                                         GLenum internal, GLsizei width, GLsizei height) {
+  if (const Invalid wrong = renderbuffer_target(c, target, 0)) return wrong;
+  if (const Invalid wrong = sample_count(samples)) return wrong.from(1);
+  return renderbuffer_storage(c, target, internal, width, height).from(1);
+}
+
 Invalid get_renderbuffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
   if (const Invalid wrong = renderbuffer_target(c, target, 0)) return wrong;
   const bool known =
       (pname >= GL_RENDERBUFFER_WIDTH_OES && pname <= GL_RENDERBUFFER_INTERNAL_FORMAT_OES) ||
-      (pname >= GL_RENDERBUFFER_RED_SIZE_OES && pname <= GL_RENDERBUFFER_STENCIL_SIZE_OES);
+      (pname >= GL_RENDERBUFFER_RED_SIZE_OES && pname <= GL_RENDERBUFFER_STENCIL_SIZE_OES) ||
+      pname == GL_RENDERBUFFER_SAMPLES_EXT;
   if (!known) {
     return {GL_INVALID_ENUM,
             "{1} is no parameter of renderbuffers (OES_framebuffer_object, 6.1.3)"};
@@ -93,6 +107,19 @@ Invalid framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenu
                       "{4} is no level of a texture (OES_framebuffer_object, 4.4.2.3)");
 }
 
+Invalid framebuffer_texture_multisample(const Context& c, GLenum target, GLenum point,
+                                        GLenum texture_target, GLuint name, GLint level,
+                                        GLsizei samples) {
+  if (const Invalid wrong = framebuffer_texture(c, target, point, texture_target, name, level)) {
+    return wrong;
+  }
+  if (point != GL_COLOR_ATTACHMENT0_OES) {
+    return {GL_INVALID_ENUM,
+            "{1} is not COLOR_ATTACHMENT0 (EXT_multisampled_render_to_texture, 4.4.3)"};
+  }
+  return sample_count(samples).from(5);
+}
+
 // 6.1.3: what does not apply to the kind of attachment cannot be asked for.
 Invalid get_framebuffer_attachment_parameter(const Context& c, GLenum target, GLenum point,
                                              GLenum pname, const GLint*) {
@@ -105,6 +132,7 @@ Invalid get_framebuffer_attachment_parameter(const Context& c, GLenum target, GL
       return enum_unless(a.renderbuffer || a.texture,
                          "{2} does not apply: nothing is attached (OES_framebuffer_object, 6.1.3)");
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES:
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT:
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_OES:
       return enum_unless(
           a.texture != nullptr,

@@ -205,6 +205,11 @@ TEST_F(ImageTest, RefusedToCreate) {
   // Renderbuffers that have no storage, and textures without the levels that they want.
   refuse(context_, EGL_GL_RENDERBUFFER, empty_renderbuffer(), EGL_BAD_PARAMETER);
   refuse(context_, EGL_GL_TEXTURE_2D, empty_texture(), EGL_BAD_PARAMETER);
+  // Multisampled ones.
+  const GLuint multisampled = empty_renderbuffer();
+  proc<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEEXTPROC>("glRenderbufferStorageMultisampleEXT")(
+      GL_RENDERBUFFER_OES, 4, GL_RGBA8_OES, kSize, kSize);
+  refuse(context_, EGL_GL_RENDERBUFFER, multisampled, EGL_BAD_PARAMETER);
   const GLuint incomplete = texture(kRed);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
   tex_image(kRed, 1, kSize / 2);

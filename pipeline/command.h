@@ -44,9 +44,11 @@ enum class Attribute : uint8_t {
   kTexCoord4,
   kTexCoord5,
   kTexCoord6,
-  kTexCoord7
+  kTexCoord7,
+  kMatrixIndex,
+  kWeight
 };
-inline constexpr int kAttributeCount = 12;
+inline constexpr int kAttributeCount = 14;
 
 // Where one attribute comes from (2.8).
 struct AttributeSource {

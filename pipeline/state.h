@@ -16,6 +16,8 @@ namespace clearpipe::pipeline {
 inline constexpr int kMaxTextureUnits = 8;
 inline constexpr int kMaxLights = 8;
 inline constexpr int kMaxClipPlanes = 8;
+inline constexpr int kPaletteMatrices = 48;
+inline constexpr int kVertexUnits = 4;
 
 struct Vec4 {
   float x = 0, y = 0, z = 0, w = 0;
@@ -61,9 +63,19 @@ struct Material {
   float shininess = 0;
 };
 
+// OES_matrix_palette: one matrix after another, column-major as in Mat4.
+struct MatrixPalette {
+  std::array<float, 16 * kPaletteMatrices> matrix;
+  std::array<float, 9 * kPaletteMatrices> normal_matrix;  // transposed inverses; with lighting
+};
+
 struct VertexState {
   Mat4 model_view_projection;  // projection * modelview, composed in float
   Mat4 model_view;
+  // Null: vertices are transformed by the matrices above, else by the palette and `projection`.
+  // The palette is only borrowed until the state is set anew.
+  const MatrixPalette* palette = nullptr;
+  Mat4 projection;
   std::array<float, 9> normal_matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major inverse transpose
   float rescale = 1;                                              // factor of RESCALE_NORMAL
   bool rescale_normal = false;

@@ -31,6 +31,9 @@ struct UniformTiles {
 struct SampleBuffer {
   std::shared_ptr<uint32_t[]> values;  // planes, one after another
   UniformTiles uniform;
+  // By tile: every sample is what the colour buffer, laid out in rows, holds for its pixel. Empty:
+  // none is.
+  std::vector<uint8_t> discarded;
 };
 
 // The pixels as they are kept. Colour is always held as RGBA8. The memory may be that of a texture
@@ -73,6 +76,10 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
                                                  int samples = 1);
 std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height, bool has_depth,
                                                               bool has_stencil, int samples = 1);
+
+// A multisample buffer for a colour buffer that is laid out in rows, with all tiles discarded; null
+// when memory does not suffice.
+std::shared_ptr<SampleBuffer> make_sample_buffer(int width, int height);
 
 // What a frame renders to. `colour` or `depth_stencil` may be null; both have as many samples.
 struct Target {

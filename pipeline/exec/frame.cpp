@@ -129,12 +129,20 @@ struct Frame::Impl {
     return viewport;
   }
 
+  const VertexState* record_vertex_state() {
+    auto* state = new (arena.allocate(sizeof(VertexState))) VertexState(vertex_state);
+    if (const MatrixPalette* palette = state->palette) {
+      state->palette = new (arena.allocate(sizeof(MatrixPalette))) MatrixPalette(*palette);
+    }
+    return state;
+  }
+
   void record(const DrawCommand& command, uint32_t count) {
     DrawRecord draw;
     const FragmentCoverage coverage = coverage_of(command.primitive);
     draw.program = current_program().program(coverage);
     if (recorded_vertex == nullptr) {
-      recorded_vertex = new (arena.allocate(sizeof(VertexState))) VertexState(vertex_state);
+      recorded_vertex = record_vertex_state();
     }
     draw.vertex = recorded_vertex;
     draw.setup.raster = raster_state;

@@ -37,6 +37,8 @@ class FusedLoop {
         depth_(depth_state(program)),
         unit0_(program, planes, tile, 0),
         unit1_(program, planes, tile, 1) {
+    needs_w_ = planes.perspective && (kSampler0 != FusedSampler::kNone || !planes.flat_colour ||
+                                      program.fog_mode != FogMode::kNone);
     opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled;
     solid_ = kSampler0 == FusedSampler::kNone && planes.flat_colour && opaque_ &&
              program.fog_mode == FogMode::kNone && !program.alpha_test;
@@ -76,7 +78,7 @@ class FusedLoop {
     const VecF y = hn::Set(d, static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
     if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y);
     if (solid_) return;
-    if (planes_.perspective) inv_w_ = RowPlane(planes_.inv_w, y);
+    if (needs_w_) inv_w_ = RowPlane(planes_.inv_w, y);
     if (!planes_.flat_colour) {
       for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y);
     }
@@ -105,7 +107,7 @@ class FusedLoop {
       return;
     }
     Pair<VecF> w{};
-    if (planes_.perspective) w = reciprocal(inv_w_.at(x));
+    if (needs_w_) w = reciprocal(inv_w_.at(x));
     Colour16 colour = primary_colour(x, w);
     if constexpr (kSampler0 != FusedSampler::kNone) {
       unit0_.apply_environment(unit0_.sample(column, x, w), colour);
@@ -218,6 +220,7 @@ class FusedLoop {
   Tile& tile_;
   const bool tests_;
   const DepthState depth_;
+  bool needs_w_;
   bool opaque_;  // every fragment that lives replaces the whole pixel
   bool solid_;   // and all of them by the same
   Colour16 flat_;

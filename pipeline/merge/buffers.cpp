@@ -63,6 +63,17 @@ std::shared_ptr<ColourBuffer> make_colour_buffer(int width, int height, bool has
   return nullptr;
 }
 
+std::shared_ptr<SampleBuffer> make_sample_buffer(int width, int height) try {
+  auto samples = std::make_shared<SampleBuffer>();
+  const size_t tiles = tile_count(width, height);
+  samples->values = allocate_tiles(kSampleCount * tiles);
+  samples->uniform = all_uniform(kSampleCount * tiles, 0);
+  samples->discarded.resize(tiles, 1);
+  return samples;
+} catch (const std::bad_alloc&) {
+  return nullptr;
+}
+
 std::shared_ptr<DepthStencilBuffer> make_depth_stencil_buffer(int width, int height, bool has_depth,
                                                               bool has_stencil, int samples) try {
   auto buffer = std::make_shared<DepthStencilBuffer>();

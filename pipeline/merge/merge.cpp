@@ -89,6 +89,14 @@ TilePlane::TilePlane(uint32_t* plane, UniformTiles& uniform, size_t index)
 TilePlane::TilePlane(uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out)
     : out_(out), rows_(plane), width_(width), height_(height), tile_(&tile) {}
 
+void TilePlane::take_from_rows(uint32_t* rows, int width, int height, const Tile& tile) {
+  state_ = State::kStored;
+  rows_ = rows;
+  width_ = width;
+  height_ = height;
+  tile_ = &tile;
+}
+
 void TilePlane::set_uniform(uint32_t value) {
   state_ = State::kUniform;
   value_ = value;
@@ -128,6 +136,9 @@ TilePlanes::TilePlanes(const Target& target, SampleTiles& tiles, int tile_index)
     if (const ColourBuffer* to = target.colour.get()) {
       colour_[s] = to->samples ? TilePlane(to->samples->values.get(), to->samples->uniform, index)
                                : pixels_of(*to, tile_index_, tile, memory.colour);
+      if (samples_discarded()) {
+        colour_[s].take_from_rows(to->pixels.get(), to->width, to->height, tile);
+      }
     }
     if (const DepthStencilBuffer* to = target.depth_stencil.get()) {
       depth_stencil_[s] = TilePlane(to->values.get(), *to->uniform, index);
@@ -135,6 +146,11 @@ TilePlanes::TilePlanes(const Target& target, SampleTiles& tiles, int tile_index)
     tile.colour = target.colour ? colour_[s].memory() : memory.colour;
     tile.depth_stencil = target.depth_stencil ? depth_stencil_[s].memory() : memory.depth_stencil;
   }
+}
+
+bool TilePlanes::samples_discarded() const {
+  const SampleBuffer* samples = target_.colour->samples.get();
+  return samples != nullptr && !samples->discarded.empty() && samples->discarded[tile_index_] != 0;
 }
 
 void TilePlanes::prepare(const FragmentOutputs& outputs, bool whole_tile) {
@@ -161,21 +177,20 @@ void TilePlanes::store() {
 }
 
 void TilePlanes::resolve() {
-  const auto first = colour_.begin(), end = first + samples_;
-  if (std::none_of(first, end, [](const TilePlane& p) { return p.changed(); })) return;
+  // Commands change all samples, or none.
+  const TilePlane& first = colour_[0];
+  if (!first.changed()) return;
   const ColourBuffer& to = *target_.colour;
   alignas(64) uint32_t memory[kTilePixels];
   TilePlane pixels = pixels_of(to, tile_index_, tile(), memory);
-  if (std::all_of(first, end, [&](const TilePlane& p) {
-        return p.is_uniform() && p.uniform_value() == first->uniform_value();
-      })) {
-    pixels.set_uniform(first->uniform_value());
+  if (first.is_uniform()) {
+    pixels.set_uniform(first.uniform_value());
   } else {
-    std::for_each(first, end, [](TilePlane& p) { p.load(); });
     pixels.overwrite();
     resolve_samples(tiles_.tiles.data(), pixels.memory());
   }
   pixels.store();
+  if (samples_discarded()) to.samples->discarded[tile_index_] = 0;
 }
 
 uint32_t colour_clear_mask(const ClearCommand& clear) {

@@ -25,6 +25,9 @@ class TilePlane {
   // One of a plane that is laid out in rows; it is worked on in `out`.
   TilePlane(uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out);
 
+  // What the plane holds is that part of the rows.
+  void take_from_rows(uint32_t* rows, int width, int height, const Tile& tile);
+
   // What the plane is worked on in; null for one that is not there.
   uint32_t* memory() const { return out_; }
 
@@ -57,7 +60,7 @@ class TilePlane {
   uint32_t* out_ = nullptr;
   UniformTiles* uniform_ = nullptr;  // null: the plane is laid out in rows
   size_t index_ = 0;
-  uint32_t* rows_ = nullptr;
+  uint32_t* rows_ = nullptr;  // what it is in before it is loaded, if not in out_
   int width_ = 0, height_ = 0;
   const Tile* tile_ = nullptr;
   State state_ = State::kStored;
@@ -83,6 +86,7 @@ class TilePlanes {
   void store();
 
  private:
+  bool samples_discarded() const;
   void resolve();
 
   const Target& target_;

@@ -10,6 +10,7 @@ if(CLEARPIPE_TESTS)
     ${CMAKE_CURRENT_LIST_DIR}/fetch_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/lighting_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/math_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/palette_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/transform_test.cpp)
   target_link_libraries(vertex_test PRIVATE clearpipe_pipeline GTest::gtest GTest::gtest_main)

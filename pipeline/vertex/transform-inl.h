@@ -49,36 +49,41 @@ HWY_INLINE void transform_position(const Mat4& matrix, const Lane* in, size_t co
   }
 }
 
-// The normal in eye coordinates, rescaled or normalised (2.10.3). Normalising makes a preceding
-// rescale superfluous; a zero normal stays zero.
+// Stores a vector of normals in eye coordinates, rescaled or normalised (2.10.3). Normalising makes
+// a preceding rescale superfluous; a zero normal stays zero.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void store_normal(D d, const VertexState& state, V rescale, V nx, V ny, V nz, Lane* out,
+                             size_t i) {
+  if (state.normalize) {
+    const auto square = dot3(nx, ny, nz, nx, ny, nz);
+    const auto length = hn::Sqrt(square);
+    const auto nonzero = hn::Gt(square, hn::Zero(d));
+    nx = hn::IfThenElseZero(nonzero, hn::Div(nx, length));
+    ny = hn::IfThenElseZero(nonzero, hn::Div(ny, length));
+    nz = hn::IfThenElseZero(nonzero, hn::Div(nz, length));
+  } else if (state.rescale_normal) {
+    nx = hn::Mul(nx, rescale);
+    ny = hn::Mul(ny, rescale);
+    nz = hn::Mul(nz, rescale);
+  }
+  hn::Store(nx, d, out[0] + i);
+  hn::Store(ny, d, out[1] + i);
+  hn::Store(nz, d, out[2] + i);
+}
+
 HWY_INLINE void transform_normal(const VertexState& state, const Lane* in, size_t count,
                                  Lane* out) {
   const hn::ScalableTag<float> d;
   const auto& m = state.normal_matrix;
-  const auto zero = hn::Zero(d);
   const auto rescale = hn::Set(d, state.rescale);
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const auto x = hn::Load(d, in[0] + i);
     const auto y = hn::Load(d, in[1] + i);
     const auto z = hn::Load(d, in[2] + i);
-    auto nx = dot3(hn::Set(d, m[0]), hn::Set(d, m[3]), hn::Set(d, m[6]), x, y, z);
-    auto ny = dot3(hn::Set(d, m[1]), hn::Set(d, m[4]), hn::Set(d, m[7]), x, y, z);
-    auto nz = dot3(hn::Set(d, m[2]), hn::Set(d, m[5]), hn::Set(d, m[8]), x, y, z);
-    if (state.normalize) {
-      const auto square = dot3(nx, ny, nz, nx, ny, nz);
-      const auto length = hn::Sqrt(square);
-      const auto nonzero = hn::Gt(square, zero);
-      nx = hn::IfThenElseZero(nonzero, hn::Div(nx, length));
-      ny = hn::IfThenElseZero(nonzero, hn::Div(ny, length));
-      nz = hn::IfThenElseZero(nonzero, hn::Div(nz, length));
-    } else if (state.rescale_normal) {
-      nx = hn::Mul(nx, rescale);
-      ny = hn::Mul(ny, rescale);
-      nz = hn::Mul(nz, rescale);
-    }
-    hn::Store(nx, d, out[0] + i);
-    hn::Store(ny, d, out[1] + i);
-    hn::Store(nz, d, out[2] + i);
+    store_normal(d, state, rescale,
+                 dot3(hn::Set(d, m[0]), hn::Set(d, m[3]), hn::Set(d, m[6]), x, y, z),
+                 dot3(hn::Set(d, m[1]), hn::Set(d, m[4]), hn::Set(d, m[7]), x, y, z),
+                 dot3(hn::Set(d, m[2]), hn::Set(d, m[5]), hn::Set(d, m[8]), x, y, z), out, i);
   }
 }
 

@@ -23,11 +23,15 @@ VertexPlan make_vertex_plan(const DrawCommand& draw, const VertexState& state) {
   VertexPlan plan;
   plan.points = draw.primitive == Primitive::kPoints;
   plan.normal = state.lighting;
-  plan.eye_position = state.clip_planes != 0 || (plan.points && state.point_attenuated) ||
+  plan.eye_position = state.palette != nullptr || state.clip_planes != 0 ||
+                      (plan.points && state.point_attenuated) ||
                       (state.lighting && any_positional_light(state));
   plan.eye_z = state.fog && !plan.eye_position;
 
   plan.attributes = bit(Attribute::kPosition);
+  if (state.palette != nullptr) {
+    plan.attributes |= bit(Attribute::kMatrixIndex) | bit(Attribute::kWeight);
+  }
   if (state.lighting) {
     plan.attributes |= bit(Attribute::kNormal);
   }

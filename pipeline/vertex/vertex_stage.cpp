@@ -1,8 +1,7 @@
 // The order of the vertex stages, compiled once per SIMD target (2.8 to 2.12).
 //
-// fetch -> transform -> clip tests -> viewport -> texture coordinates -> colour -> points, fog ->
-// records, a batch at a time.
-// SPDX-License-Identifier: MIT
+// fetch -> transform or skin -> clip tests -> viewport -> texture coordinates -> colour -> points,
+// fog -> records, a batch at a time. SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -13,6 +12,7 @@
 #include "pipeline/vertex/fetch-inl.h"
 #include "pipeline/vertex/lighting-inl.h"
 #include "pipeline/vertex/math-inl.h"
+#include "pipeline/vertex/palette-inl.h"
 #include "pipeline/vertex/point-inl.h"
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/record-inl.h"
@@ -57,15 +57,21 @@ void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_
   }
 
   const Lane* position = attribute(Attribute::kPosition);
-  transform_position(state.model_view_projection, position, count, batch.clip);
+  const PaletteInputs skin = palette_inputs(*job.draw, batch);
+  if (state.palette != nullptr) {
+    skin_position(*state.palette, skin, position, count, batch.eye);
+    transform_position(state.projection, batch.eye, count, batch.clip);
+  } else {
+    transform_position(state.model_view_projection, position, count, batch.clip);
+    if (plan.eye_position) {
+      transform_position(state.model_view, position, count, batch.eye);
+    } else if (plan.eye_z) {
+      transform_row(state.model_view, 2, position, count, batch.eye[2]);
+    }
+  }
   test_clip_volume(batch.clip, job.guard, count, batch.outcode);
   project_to_window(batch.clip, job.viewport, count, batch.window);
 
-  if (plan.eye_position) {
-    transform_position(state.model_view, position, count, batch.eye);
-  } else if (plan.eye_z) {
-    transform_row(state.model_view, 2, position, count, batch.eye[2]);
-  }
   if (state.clip_planes != 0) {
     test_user_planes(state, batch.eye, count, batch.clip_distance, batch.outcode);
   }
@@ -74,7 +80,12 @@ void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_
 
   const Lane* current = attribute(Attribute::kColour);
   if (state.lighting) {
-    transform_normal(state, attribute(Attribute::kNormal), count, batch.normal);
+    const Lane* normal = attribute(Attribute::kNormal);
+    if (state.palette != nullptr) {
+      skin_normal(state, skin, normal, count, batch.normal);
+    } else {
+      transform_normal(state, normal, count, batch.normal);
+    }
     light_vertices(state, batch.eye, batch.normal, current, count, batch.colour, batch.back_colour);
   } else {
     clamp_colour(current, count, batch.colour);

@@ -11,6 +11,7 @@
 #include "pipeline/vertex/fetch-inl.h"
 #include "pipeline/vertex/lighting-inl.h"
 #include "pipeline/vertex/math-inl.h"
+#include "pipeline/vertex/palette-inl.h"
 #include "pipeline/vertex/point-inl.h"
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/texcoord-inl.h"
@@ -55,6 +56,19 @@ void position_all(const Mat4& matrix, const Lane* in, size_t count, Lane* out) {
 void normal_all(const VertexState& state, const Lane* in, size_t count, Lane* out) {
   transform_normal(state, in, count, out);
 }
+DrawCommand skinned(int units) {
+  DrawCommand draw;
+  draw.attributes[static_cast<size_t>(Attribute::kMatrixIndex)].size = static_cast<uint8_t>(units);
+  return draw;
+}
+void skin_position_all(const VertexState& state, int units, VertexBatch& batch, size_t count) {
+  skin_position(*state.palette, palette_inputs(skinned(units), batch), batch.attribute[0], count,
+                batch.eye);
+}
+void skin_normal_all(const VertexState& state, int units, VertexBatch& batch, size_t count) {
+  skin_normal(state, palette_inputs(skinned(units), batch), batch.attribute[1], count,
+              batch.normal);
+}
 void texture_all(const VertexState& state, VertexBatch& batch, size_t count) {
   transform_texture_coordinates(state, batch, count);
 }
@@ -81,8 +95,9 @@ void fog_all(const float* eye_z, size_t count, float* fog) { fog_coordinate(eye_
 
 const VertexTestKernels* test_kernels() {
   static constexpr VertexTestKernels kKernels = {
-      &fetch_all, &position_all, &normal_all, &texture_all, &clip_all, &user_all, &project_all,
-      &light_all, &clamp_all,    &point_all,  &fog_all,     &log2_all, &exp2_all, &power_all};
+      &fetch_all, &position_all, &normal_all,  &skin_position_all, &skin_normal_all, &texture_all,
+      &clip_all,  &user_all,     &project_all, &light_all,         &clamp_all,       &point_all,
+      &fog_all,   &log2_all,     &exp2_all,    &power_all};
   return &kKernels;
 }
 
