@@ -23,10 +23,11 @@ Context* create_context(Context* share, ContextFlags flags, SurfaceOwner* owner)
   context->share = share ? share->share : std::make_shared<ShareGroup>();
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
+    unit.cube_texture = context->default_cube_texture;
   }
   context->surface_owner = owner;
   context->debug.output = flags.debug;
-  context->no_error = flags.no_error;
+  context->flags = flags;
   pipeline::select_simd_target();
   context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
   return context.release();

@@ -18,6 +18,8 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.transform.normalize, kDirtyVertex};
     case GL_RESCALE_NORMAL:
       return {&s.transform.rescale_normal, kDirtyVertex};
+    case GL_MATRIX_PALETTE_OES:
+      return {&s.transform.matrix_palette, kDirtyVertex};
     case GL_FOG:
       return {&s.fog.enabled, kDirtyTexture};
     case GL_LIGHTING:
@@ -44,6 +46,10 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.multisample.coverage, kDirtyFragment};
     case GL_TEXTURE_2D:
       return {&c.active_unit().enabled, kDirtyTexture};
+    case GL_TEXTURE_CUBE_MAP_OES:
+      return {&c.active_unit().cube_enabled, kDirtyTexture};
+    case GL_TEXTURE_GEN_STR_OES:
+      return {&c.active_unit().gen_str, kDirtyVertex};
     case GL_SCISSOR_TEST:
       return {&s.pixel.scissor_test, kDirtyRaster};
     case GL_ALPHA_TEST:
@@ -177,8 +183,13 @@ void front_face(Context& c, GLenum mode) {
 }
 
 void polygon_offset(Context& c, float factor, float units) {
+  polygon_offset_clamp(c, factor, units, 0);
+}
+
+void polygon_offset_clamp(Context& c, float factor, float units, float clamp) {
   c.state.raster.offset_factor = factor;
   c.state.raster.offset_units = units;
+  c.state.raster.offset_clamp = clamp;
   c.dirty |= kDirtyRaster;
 }
 

@@ -39,6 +39,7 @@ Invalid is_enabled(const Context&, GLenum cap);
 Invalid multi_tex_coord(const Context&, GLenum target, float, float, float, float);
 Invalid texture_unit(const Context&, GLenum texture);
 Invalid matrix_mode(const Context&, GLenum mode);
+Invalid current_palette_matrix(const Context&, GLuint index);
 Invalid push_matrix(const Context&);
 Invalid pop_matrix(const Context&);
 Invalid frustum_planes(const Context&, float l, float r, float b, float t, float n, float f);
@@ -66,7 +67,8 @@ Invalid blend_equation(const Context&, GLenum rgb, GLenum alpha);
 Invalid logic_op(const Context&, GLenum opcode);
 // validate_texture.cpp
 Invalid pixel_store(const Context&, GLenum pname, GLint param);
-Invalid texture_target(const Context&, GLenum target, GLuint);
+Invalid texture_target(GLenum target);
+Invalid bind_texture(const Context&, GLenum target, GLuint name);
 Invalid names(const Context&, GLsizei n, const GLuint*);
 Invalid tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
                   GLsizei height, GLint border, GLenum format, GLenum type, const void*);
@@ -83,12 +85,18 @@ Invalid compressed_tex_sub_image(const Context&, GLenum target, GLint level, GLi
                                  GLsizei, GLenum format, GLsizei size, const void*);
 Invalid tex_parameter(const Context&, GLenum target, GLenum pname, const Params&);
 Invalid tex_env(const Context&, GLenum target, GLenum pname, const Params&);
+Invalid generated_mode(GLenum coord, GLenum pname);
+Invalid tex_gen(const Context&, GLenum coord, GLenum pname, const Params&);
 // validate_draw.cpp
 Invalid client_state(const Context&, GLenum array, bool);
 Invalid vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
 Invalid color_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
 Invalid normal_pointer(const Context&, GLenum type, GLsizei stride, const void*);
 Invalid point_size_pointer(const Context&, GLenum type, GLsizei stride, const void*);
+Invalid matrix_index_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                             const void* pointer);
+Invalid weight_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                       const void* pointer);
 Invalid buffer_target(const Context&, GLenum target, GLuint);
 Invalid buffer_data(const Context&, GLenum target, GLsizeiptr size, const void*, GLenum usage);
 Invalid buffer_sub_data(const Context&, GLenum target, GLintptr offset, GLsizeiptr size,
@@ -103,6 +111,8 @@ Invalid bind_vertex_array(const Context&, GLuint name);
 Invalid clear(const Context&, GLbitfield mask);
 Invalid read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                     GLenum type, const void*);
+Invalid read_n_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
+                      GLenum type, GLsizei size, const void*);
 Invalid draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 Invalid draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
 Invalid draw_texture(const Context&, float x, float y, float z, float width, float height);
@@ -126,6 +136,11 @@ Invalid get_framebuffer_attachment_parameter(const Context&, GLenum target, GLen
                                              GLenum pname, const GLint*);
 Invalid discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);
 Invalid generate_mipmap(const Context&, GLenum target);
+// validate_storage.cpp
+Invalid tex_storage(const Context&, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
+                    GLsizei height);
+Invalid copy_texture_levels(const Context&, GLuint destination, GLuint source, GLint base,
+                            GLsizei count);
 Invalid multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const GLsizei* count,
                           GLsizei n);
 Invalid multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
@@ -150,6 +165,18 @@ template <typename... Arguments>
 Invalid sync_label(const Context&, const Arguments&...) {
   return {GL_INVALID_VALUE, "{0} is no sync object: there are none (KHR_debug, 5.5.8)"};
 }
+Invalid label_object(const Context&, GLenum type, GLuint name, GLsizei length, const char*);
+Invalid get_label_ext(const Context&, GLenum type, GLuint name, GLsizei size, const GLsizei*,
+                      const char*);
+// validate_fence.cpp
+Invalid set_fence(const Context&, GLuint name, GLenum condition);
+Invalid existing_fence(const Context&, GLuint name);
+Invalid get_fence(const Context&, GLuint name, GLenum pname, const GLint*);
+// No program has uniforms: there are no programs.
+template <typename... Arguments>
+Invalid get_uniform(const Context&, const Arguments&...) {
+  return {GL_INVALID_VALUE, "{0} is no program: there are none (EXT_robustness, 6.1.8)"};
+}
 // queries.cpp
 Invalid get(const Context&, GLenum pname, const Out&);
 Invalid get_string(const Context&, GLenum name);
@@ -157,6 +184,7 @@ Invalid get_pointer(const Context&, GLenum pname, void**);
 Invalid get_light(const Context&, GLenum light, GLenum pname, const Out&);
 Invalid get_material(const Context&, GLenum face, GLenum pname, const Out&);
 Invalid get_tex_env(const Context&, GLenum target, GLenum pname, const Out&);
+Invalid get_tex_gen(const Context&, GLenum coord, GLenum pname, const Out&);
 Invalid get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&);
 Invalid get_buffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
 

@@ -33,6 +33,7 @@ EGLBoolean BindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) noexce
   if (surface == nullptr) return EGL_FALSE;
   if (!surface->texture.expired()) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   if (thread.context == nullptr) return succeed(EGL_TRUE);  // ignored
+  if (!api::takes_surface_texture(thread.context->context)) return fail(EGL_BAD_MATCH, EGL_FALSE);
   if (surface->kind == Surface::Kind::kPixmap) surface->native->fetch(*surface->target.colour);
   // A mipmap is generated from the base level, or is what was drawn to its levels.
   const bool generate = surface->mipmap_texture && surface->mipmap_level == 0;

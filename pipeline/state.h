@@ -65,8 +65,8 @@ struct Material {
 
 // OES_matrix_palette: one matrix after another, column-major as in Mat4.
 struct MatrixPalette {
-  std::array<float, 16 * kPaletteMatrices> matrix;
-  std::array<float, 9 * kPaletteMatrices> normal_matrix;  // transposed inverses; with lighting
+  std::array<float, 16 * kPaletteMatrices> matrix{};
+  std::array<float, 9 * kPaletteMatrices> normal_matrix{};  // transposed inverses; with normals
 };
 
 struct VertexState {
@@ -90,6 +90,8 @@ struct VertexState {
   uint8_t texture_units = 0;   // bit u: unit u samples a texture, so its coordinates are needed
   uint8_t texture_matrix = 0;  // bit u: texture matrix of unit u is not the identity
   std::array<Mat4, kMaxTextureUnits> texture_matrices;
+  // Bit u: s, t and r of unit u are generated, as the reflection vector or the normal.
+  uint8_t reflection_map = 0, normal_map = 0;
   uint8_t clip_planes = 0;                      // bit i: user clip plane i is enabled (2.11)
   std::array<Vec4, kMaxClipPlanes> clip_plane;  // eye space
   // Points (3.3): derived size = clamp(size * attenuation), fade below the threshold.
@@ -120,6 +122,7 @@ struct RasterState {
   bool flat_shade = false;  // the provoking vertex is the last of the primitive (2.13.7)
   bool offset_fill = false;
   float offset_factor = 0, offset_units = 0;
+  float offset_clamp = 0;  // 0: not clamped
   float line_width = 1;
   bool line_smooth = false;
   bool point_smooth = false;
@@ -153,6 +156,7 @@ enum class Combine : uint8_t {
   kAddSigned,
   kInterpolate,
   kSubtract,
+  kModulateAdd,  // Arg0 * Arg2 + Arg1
   kDot3Rgb,
   kDot3Rgba
 };
@@ -186,6 +190,7 @@ struct Combiner {
 
 struct TextureUnit {
   bool enabled = false;  // a complete texture is enabled on this unit
+  bool cube = false;     // a cube map: (s, t, r) is a direction
   ImageRef image;        // all its levels
   Sampler sampler;
   Combiner combiner;
