@@ -8,20 +8,37 @@ namespace clearpipe::api {
 
 namespace {
 
+using Sizes = CompressedFamily::Sizes;
+using Parts = CompressedFamily::Parts;
+
+// OES_compressed_ETC1_RGB8_texture, EXT_compressed_ETC1_RGB8_sub_texture
+constexpr CompressedFamily kEtc1{
+    4, 4, 0, GL_INVALID_OPERATION, Sizes::kAll, Parts::kBlocksToTheEdge};
+// EXT_texture_compression_dxt1
+constexpr CompressedFamily kDxt1{
+    4, 4, 0, GL_INVALID_OPERATION, Sizes::kAll, Parts::kBlocksOrAllOfIt};
+// ANGLE_texture_compression_dxt3, ANGLE_texture_compression_dxt5
+constexpr CompressedFamily kAngle{
+    4, 4, 0, GL_INVALID_OPERATION, Sizes::kOneTwoOrBlocks, Parts::kBlocksOrAllOfIt};
+// IMG_texture_compression_pvrtc
+constexpr CompressedFamily kPvrtc2{8, 4, 2, GL_INVALID_VALUE, Sizes::kPowersOfTwo, Parts::kNone};
+constexpr CompressedFamily kPvrtc4{4, 4, 2, GL_INVALID_VALUE, Sizes::kPowersOfTwo, Parts::kNone};
+
 constexpr CompressedFormat kFormats[] = {
-    // OES_compressed_ETC1_RGB8_texture, EXT_compressed_ETC1_RGB8_sub_texture
-    {GL_ETC1_RGB8_OES, GL_RGB, 8, ImageSizes::kAll, ImageParts::kBlocksToTheEdge, decode_etc1},
-    // EXT_texture_compression_dxt1
-    {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_RGB, 8, ImageSizes::kAll, ImageParts::kBlocksOrAllOfIt,
-     decode_dxt1_rgb},
-    {GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_RGBA, 8, ImageSizes::kAll, ImageParts::kBlocksOrAllOfIt,
-     decode_dxt1_rgba},
-    // ANGLE_texture_compression_dxt3, ANGLE_texture_compression_dxt5
-    {GL_COMPRESSED_RGBA_S3TC_DXT3_ANGLE, GL_RGBA, 16, ImageSizes::kOneTwoOrBlocks,
-     ImageParts::kBlocksOrAllOfIt, decode_dxt3},
-    {GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE, GL_RGBA, 16, ImageSizes::kOneTwoOrBlocks,
-     ImageParts::kBlocksOrAllOfIt, decode_dxt5},
+    {GL_ETC1_RGB8_OES, GL_RGB, kEtc1, 8, decode_etc1},
+    {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_RGB, kDxt1, 8, decode_dxt1_rgb},
+    {GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_RGBA, kDxt1, 8, decode_dxt1_rgba},
+    {GL_COMPRESSED_RGBA_S3TC_DXT3_ANGLE, GL_RGBA, kAngle, 16, decode_dxt3},
+    {GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE, GL_RGBA, kAngle, 16, decode_dxt5},
+    {GL_COMPRESSED_RGB_PVRTC_4BPPV1_IMG, GL_RGB, kPvrtc4, 8, decode_pvrtc4_rgb},
+    {GL_COMPRESSED_RGB_PVRTC_2BPPV1_IMG, GL_RGB, kPvrtc2, 8, decode_pvrtc2_rgb},
+    {GL_COMPRESSED_RGBA_PVRTC_4BPPV1_IMG, GL_RGBA, kPvrtc4, 8, decode_pvrtc4_rgba},
+    {GL_COMPRESSED_RGBA_PVRTC_2BPPV1_IMG, GL_RGBA, kPvrtc2, 8, decode_pvrtc2_rgba},
 };
+
+int64_t blocks(int texels, int of_a_block, int least) {
+  return std::max((texels + of_a_block - 1) / of_a_block, least);
+}
 
 }  // namespace
 
@@ -33,7 +50,9 @@ const CompressedFormat* compressed_format(GLenum internal) {
 }
 
 int64_t compressed_bytes(const CompressedFormat& format, int width, int height) {
-  return int64_t{(width + 3) / 4} * ((height + 3) / 4) * format.block_bytes;
+  const CompressedFamily& f = format.family;
+  return blocks(width, f.block_width, f.least_blocks) *
+         blocks(height, f.block_height, f.least_blocks) * format.block_bytes;
 }
 
 std::span<const GLenum> compressed_formats() {
@@ -53,6 +72,10 @@ std::span<const GLenum> compressed_formats() {
       GL_COMPRESSED_RGBA_S3TC_DXT1_EXT,
       GL_COMPRESSED_RGBA_S3TC_DXT3_ANGLE,
       GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE,
+      GL_COMPRESSED_RGB_PVRTC_4BPPV1_IMG,
+      GL_COMPRESSED_RGB_PVRTC_2BPPV1_IMG,
+      GL_COMPRESSED_RGBA_PVRTC_4BPPV1_IMG,
+      GL_COMPRESSED_RGBA_PVRTC_2BPPV1_IMG,
   };
   return kAll;
 }

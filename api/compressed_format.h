@@ -17,20 +17,24 @@ struct DecodeTarget {
   int x, y, width, height;
 };
 
-// Which sizes an image may have, and which parts of it can be given anew.
-enum class ImageSizes { kAll, kOneTwoOrBlocks };
-enum class ImageParts {
-  kBlocksToTheEdge,  // whole blocks, or what is left of them at the image's edge
-  kBlocksOrAllOfIt,  // whole blocks, or the whole of the image's width or height
+// What one format allows and how it is laid out, by the family of its extension.
+struct CompressedFamily {
+  // Texels of a block, and the least number of blocks in each direction.
+  int block_width, block_height, least_blocks;
+  GLenum border_error;
+  // Which sizes an image may have: all, 1, 2 and multiples of 4, or powers of two.
+  enum class Sizes { kAll, kOneTwoOrBlocks, kPowersOfTwo } sizes;
+  // Which parts of it can be given anew, besides the whole: blocks, or what is left of them at the
+  // edge; blocks, also of the whole width or height; none.
+  enum class Parts { kBlocksToTheEdge, kBlocksOrAllOfIt, kNone } parts;
 };
 
-// A format whose images are blocks of 4x4 texels, row by row, each encoded on its own.
+// A format whose images are blocks of texels, row by row.
 struct CompressedFormat {
   GLenum internal;
   GLenum base;
+  const CompressedFamily& family;
   int block_bytes;
-  ImageSizes sizes;
-  ImageParts parts;
   void (*decode)(const uint8_t* data, const DecodeTarget& to);
 };
 
@@ -43,12 +47,16 @@ int64_t compressed_bytes(const CompressedFormat& format, int width, int height);
 // All compressed internal formats, those with palettes too.
 std::span<const GLenum> compressed_formats();
 
-// compressed_etc1.cpp, compressed_s3tc.cpp
+// compressed_etc1.cpp, compressed_s3tc.cpp, compressed_pvrtc.cpp
 void decode_etc1(const uint8_t* data, const DecodeTarget& to);
 void decode_dxt1_rgb(const uint8_t* data, const DecodeTarget& to);
 void decode_dxt1_rgba(const uint8_t* data, const DecodeTarget& to);
 void decode_dxt3(const uint8_t* data, const DecodeTarget& to);
 void decode_dxt5(const uint8_t* data, const DecodeTarget& to);
+void decode_pvrtc2_rgb(const uint8_t* data, const DecodeTarget& to);
+void decode_pvrtc2_rgba(const uint8_t* data, const DecodeTarget& to);
+void decode_pvrtc4_rgb(const uint8_t* data, const DecodeTarget& to);
+void decode_pvrtc4_rgba(const uint8_t* data, const DecodeTarget& to);
 
 // The compressed palettes of 3.7.4: their data begins with the palette.
 struct Palette {

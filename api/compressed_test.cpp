@@ -1,5 +1,5 @@
 // Compressed images as they reach the surface, texel for texel against the equations of their
-// extensions: ETC1 and S3TC; parts of them, and the errors of both.
+// extensions: ETC1 and S3TC; parts of them, and the errors of both. PVRTC is in pvrtc_test.cpp.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>

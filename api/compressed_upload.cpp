@@ -7,6 +7,7 @@
 #include "api/exec.h"
 #include "api/pixel_format.h"
 #include "api/texture_levels.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -36,28 +37,30 @@ Levels decode_palette(const Palette& palette, GLint level, GLsizei width, GLsize
 
 }  // namespace
 
-void compressed_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLsizei width,
+void compressed_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLsizei width,
                           GLsizei height, GLint, GLsizei, const void* data) {
-  TextureObject& texture = *c.active_unit().texture;
+  TextureObject& texture = *bound_texture(c, target);
   const auto* bytes = static_cast<const uint8_t*>(data);
   if (const CompressedFormat* format = compressed_format(internal)) {
     pipeline::ImageLevel to = make_level(width, height);
     format->decode(bytes, {to, 0, 0, width, height});
-    replace_level(c, texture, level, std::move(to), internal, format->base);
+    replace_level(c, texture, image_index(target, level), std::move(to), internal, format->base);
     return;
   }
   const Palette palette = palette_of(internal);
-  install_levels(c, texture, 0, decode_palette(palette, level, width, height, bytes), internal,
-                 palette.format);
+  install_levels(c, texture, image_index(target, 0),
+                 decode_palette(palette, level, width, height, bytes), internal, palette.format);
 }
 
-void compressed_tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width,
-                              GLsizei height, GLenum internal, GLsizei, const void* data) {
+void compressed_tex_sub_image(Context& c, GLenum target, GLint level, GLint x, GLint y,
+                              GLsizei width, GLsizei height, GLenum internal, GLsizei,
+                              const void* data) {
   if (width == 0 || height == 0) return;
-  change_level(c, *c.active_unit().texture, level, [&](pipeline::ImageLevel& to) {
+  const auto change = [&](pipeline::ImageLevel& to) {
     compressed_format(internal)->decode(static_cast<const uint8_t*>(data),
                                         {to, x, y, width, height});
-  });
+  };
+  change_level(c, *bound_texture(c, target), image_index(target, level), change);
 }
 
 }  // namespace clearpipe::api::exec

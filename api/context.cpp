@@ -18,12 +18,14 @@ __attribute__((tls_model("initial-exec")))
 thread_local Context* current = nullptr;
 }  // namespace
 
-Context* create_context(Context* share, ContextFlags flags) noexcept try {
+Context* create_context(Context* share, ContextFlags flags, SurfaceOwner* owner) noexcept try {
   auto context = std::make_unique<Context>();
   context->share = share ? share->share : std::make_shared<ShareGroup>();
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
+    unit.cube_texture = context->default_cube_texture;
   }
+  context->surface_owner = owner;
   context->debug.output = flags.debug;
   context->no_error = flags.no_error;
   pipeline::select_simd_target();
@@ -60,8 +62,21 @@ bool make_current(Context* context, const pipeline::Target& draw,
 
 Context* current_context() noexcept { return current; }
 
-void finish(Context* context) noexcept try { context->finish_frame(); } catch (...) {
+void finish(Context* context) noexcept try {
+  context->finish_frame();
+  context->tell_owner();
+} catch (...) {
   context->set_error(kOutOfMemory);
+}
+
+void expect_frame(Context* context) noexcept {
+  context->frame_expected = context->surface_owner != nullptr;
+}
+
+void begin_frame(Context* context) noexcept {
+  if (!context->frame_expected) return;
+  context->frame_expected = false;
+  context->surface_owner->frame_begins();
 }
 
 void set_targets(Context* context, const pipeline::Target& draw,

@@ -18,8 +18,23 @@ struct ContextFlags {
   bool debug = false, no_error = false;
 };
 
+// Whoever owns the surfaces of a context hears of what the context does with them.
+class SurfaceOwner {
+ public:
+  // Before the first command since expect_frame() that draws to a surface or reads it: here it may
+  // set_targets(), as a window may have another size by now. Objects that contexts share are
+  // locked.
+  virtual void frame_begins() noexcept = 0;
+  // By finish(), Finish and Flush: something new is in the surface.
+  virtual void surface_is_drawn() noexcept = 0;
+
+ protected:
+  ~SurfaceOwner() = default;
+};
+
 // Null when memory does not suffice. Textures and buffers are shared with `share` if given.
-Context* create_context(Context* share, ContextFlags flags = {}) noexcept;
+Context* create_context(Context* share, ContextFlags flags = {},
+                        SurfaceOwner* owner = nullptr) noexcept;
 
 // The context must not be current to any thread.
 void destroy_context(Context* context) noexcept;
@@ -34,6 +49,10 @@ Context* current_context() noexcept;
 
 // Executes everything recorded: the draw target then holds the result.
 void finish(Context* context) noexcept;
+
+// A frame begins with the next command that draws to a surface or reads it, or by begin_frame().
+void expect_frame(Context* context) noexcept;
+void begin_frame(Context* context) noexcept;
 
 // Replaces the targets, for a surface that was resized or swapped. Finish first.
 void set_targets(Context* context, const pipeline::Target& draw,
@@ -56,6 +75,7 @@ void destroy_egl_image(const void* handle) noexcept;
 // expires. Nothing is bound if it is expired from the start: memory does not suffice. Finish
 // before.
 struct SurfaceTexture;
+bool takes_surface_texture(Context* context) noexcept;  // not if it is immutable
 std::weak_ptr<SurfaceTexture> bind_surface_texture(
     Context* context, const std::vector<std::shared_ptr<pipeline::ColourBuffer>>& levels,
     bool alpha, bool mipmap) noexcept;

@@ -28,11 +28,15 @@ struct Context {
   bool no_error = false;  // KHR_no_error: nothing but OUT_OF_MEMORY is reported
   DebugState debug;
   uint32_t dirty = kDirtyAll;
-  TexturePtr default_texture = std::make_shared<TextureObject>(0);
+  TexturePtr default_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_2D);
+  TexturePtr default_cube_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_CUBE_MAP_OES);
 
   // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
   // framebuffer object (framebuffer.h).
   pipeline::Target surface_draw, surface_read;
+  SurfaceOwner* surface_owner = nullptr;
+  bool frame_expected = false;  // the owner wants to know when the surfaces are used again
+  bool surface_drawn = false;   // since the owner was told
   pipeline::Target draw, read;
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
@@ -65,6 +69,10 @@ struct Context {
   void finish_frame(Slow why) {
     if (!frame.empty()) note_slow(why);
     finish_frame();
+  }
+  void tell_owner() {
+    if (surface_drawn && surface_owner) surface_owner->surface_is_drawn();
+    surface_drawn = false;
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(const Invalid& wrong) {

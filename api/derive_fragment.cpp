@@ -6,6 +6,7 @@
 
 #include "api/context_state.h"
 #include "api/framebuffer.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api {
 
@@ -36,7 +37,10 @@ Wrap wrap(GLenum mode) {
 pipeline::Sampler derive_sampler(const TextureObject& texture, float lod_bias) {
   pipeline::Sampler s;
   s.lod_bias = std::clamp(lod_bias, -kMaxTextureLodBias, kMaxTextureLodBias);
-  s.max_anisotropy = std::min(texture.max_anisotropy, kMaxAnisotropy);
+  // A footprint may reach over the edge of a cube map's face: those are sampled once.
+  s.max_anisotropy = texture.target == GL_TEXTURE_CUBE_MAP_OES
+                         ? 1
+                         : std::min(texture.max_anisotropy, kMaxAnisotropy);
   s.wrap_s = wrap(texture.wrap_s);
   s.wrap_t = wrap(texture.wrap_t);
   s.mag = texture.mag_filter == GL_LINEAR ? Filter::kLinear : Filter::kNearest;
@@ -299,24 +303,26 @@ void derive_fragment(Context& context) {
   const State& s = context.state;
   pipeline::FragmentState& f = context.fragment_state;
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    const TextureUnitState& from = s.texture.unit[u];
+    const TextureObject* texture = enabled_texture(s.texture.unit[u]);
     pipeline::TextureUnit& unit = f.unit[u];
-    unit.enabled = from.enabled && is_complete(*from.texture);
-    context.texture_version[u] = from.texture->version;
+    unit.enabled = texture && is_complete(*texture);
+    context.texture_version[u] = texture ? texture->version : 0;
     if (!unit.enabled && unit.image) unit = {};
   }
   for (size_t u = 0; u < kTextureUnits; ++u) {
     const TextureUnitState& from = s.texture.unit[u];
     pipeline::TextureUnit& unit = f.unit[u];
     if (!unit.enabled) continue;
-    unit.image = from.texture->image;
-    if (samples_its_target(context, *from.texture)) {
+    const TextureObject& texture = *enabled_texture(from);
+    unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
+    unit.image = texture.image;
+    if (samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }
-    unit.sampler = derive_sampler(*from.texture, from.lod_bias);
+    unit.sampler = derive_sampler(texture, from.lod_bias);
     unit.combiner = from.env_mode == GL_COMBINE
                         ? derive_combine(from, u)
-                        : derive_classic(from.env_mode, from.texture->level[0].format, u);
+                        : derive_classic(from.env_mode, texture.level[0].format, u);
     if (!has_its_textures(unit.combiner, f.unit)) unit.combiner = previous_colour();
     unit.constant = from.env_colour;
   }

@@ -6,6 +6,7 @@
 
 #include "api/context_state.h"
 #include "api/matrix.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api {
 
@@ -66,6 +67,26 @@ void derive_palette(Context& context, bool normals) {
   context.palette_has_normals = normals;
 }
 
+void set_bit(uint8_t& bits, size_t i) { bits = static_cast<uint8_t>(bits | 1u << i); }
+
+void derive_texture_coordinates(const State& s, pipeline::VertexState& v) {
+  v.texture_units = v.texture_matrix = v.reflection_map = v.normal_map = 0;
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    const TextureUnitState& unit = s.texture.unit[u];
+    const TextureObject* texture = enabled_texture(unit);
+    if (!texture || !is_complete(*texture)) continue;
+    set_bit(v.texture_units, u);
+    if (unit.gen_str) {
+      set_bit(unit.gen_mode == GL_REFLECTION_MAP_OES ? v.reflection_map : v.normal_map, u);
+    }
+    const Mat4& matrix = s.transform.texture[u].top();
+    if (!is_identity(matrix)) {
+      set_bit(v.texture_matrix, u);
+      v.texture_matrices[u] = matrix;
+    }
+  }
+}
+
 }  // namespace
 
 void derive_vertex(Context& context) {
@@ -73,15 +94,17 @@ void derive_vertex(Context& context) {
   pipeline::VertexState& v = context.vertex_state;
   v.model_view = s.transform.modelview.top();
   v.model_view_projection = multiply(s.transform.projection.top(), v.model_view);
+
+  derive_texture_coordinates(s, v);
+  v.lighting = s.lighting.enabled;
+  const bool normals = v.lighting || (v.reflection_map | v.normal_map) != 0;
   v.palette = nullptr;
   if (s.transform.matrix_palette) {
-    derive_palette(context, s.lighting.enabled);
+    derive_palette(context, normals);
     v.palette = &context.palette;
     v.projection = s.transform.projection.top();
   }
-
-  v.lighting = s.lighting.enabled;
-  if (v.lighting) {
+  if (normals) {
     // RESCALE_NORMAL uses the inverse's third row (2.10.3).
     const Mat4 inverse = invert(v.model_view);
     store_normal_matrix(inverse, v.normal_matrix.data());
@@ -90,6 +113,8 @@ void derive_vertex(Context& context) {
     v.rescale = f > 1e-12f ? 1.0f / std::sqrt(f) : 1.0f;
     v.rescale_normal = s.transform.rescale_normal;
     v.normalize = s.transform.normalize;
+  }
+  if (v.lighting) {
     v.two_sided = s.lighting.two_sided;
     v.colour_material = s.lighting.colour_material;
     v.scene_ambient = s.lighting.model_ambient;
@@ -101,22 +126,10 @@ void derive_vertex(Context& context) {
   }
   v.fog = s.fog.enabled;
 
-  v.texture_units = 0;
-  v.texture_matrix = 0;
-  for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (!s.texture.unit[u].enabled || !is_complete(*s.texture.unit[u].texture)) continue;
-    v.texture_units = static_cast<uint8_t>(v.texture_units | 1u << u);
-    const Mat4& matrix = s.transform.texture[u].top();
-    if (!is_identity(matrix)) {
-      v.texture_matrix = static_cast<uint8_t>(v.texture_matrix | 1u << u);
-      v.texture_matrices[u] = matrix;
-    }
-  }
-
   v.clip_planes = 0;
   for (size_t i = 0; i < kClipPlanes; ++i) {
     if (!s.transform.clip_plane_enabled[i]) continue;
-    v.clip_planes = static_cast<uint8_t>(v.clip_planes | 1u << i);
+    set_bit(v.clip_planes, i);
     v.clip_plane[i] = s.transform.clip_plane[i];
   }
 

@@ -11,6 +11,7 @@
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api {
 
@@ -19,11 +20,11 @@ namespace {
 // A bound texture may have been changed here or through another context.
 void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    const TextureUnitState& unit = c.state.texture.unit[u];
-    if (!unit.enabled) continue;
-    refresh(*unit.texture);
-    if (c.texture_version[u] != unit.texture->version) c.dirty |= kDirtyTexture;
-    if (samples_its_target(c, *unit.texture)) {
+    TextureObject* texture = enabled_texture(c.state.texture.unit[u]);
+    if (!texture) continue;
+    refresh(*texture);
+    if (c.texture_version[u] != texture->version) c.dirty |= kDirtyTexture;
+    if (samples_its_target(c, *texture)) {
       c.note_slow(Slow::kSamplesTarget);
       c.finish_frame();  // the draw samples what the level holds now
       c.dirty |= kDirtyFragment;
@@ -45,7 +46,9 @@ void update_draw_state(Context& c) {
 void note_texture_uses(Context& c) {
   note_drawn_image(c);
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (c.fragment_state.unit[u].enabled) note_uses(c, *c.state.texture.unit[u].texture);
+    if (c.fragment_state.unit[u].enabled) {
+      note_uses(c, *enabled_texture(c.state.texture.unit[u]));
+    }
   }
 }
 

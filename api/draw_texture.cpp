@@ -10,6 +10,7 @@
 
 #include "api/draw.h"
 #include "api/exec.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -58,7 +59,7 @@ Triangle make_triangle(const Context& c, const Axis& x, const Axis& y, float dep
                      static_cast<float>(y.corner(top)) / kScale, depth, 1};
     for (size_t u = 0; u < kTextureUnits; ++u) {
       if (!(c.vertex_state.texture_units >> u & 1)) continue;
-      const TextureObject& texture = *c.state.texture.unit[u].texture;
+      const TextureObject& texture = *enabled_texture(c.state.texture.unit[u]);
       const GLint* crop = texture.crop_rect;
       t.tex_coord[u][k] = {x.coordinate(right, crop[0], crop[2], texture.level[0].width),
                            y.coordinate(top, crop[1], crop[3], texture.level[0].height), 0, 1};

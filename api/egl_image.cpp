@@ -7,6 +7,7 @@
 
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+#include "api/validate_image.h"
 
 namespace clearpipe::api {
 
@@ -58,7 +59,7 @@ ImageError check_level(const TextureObject& texture, GLint level) {
 
 ImageError share_texture(const Context& c, GLuint name, GLint level, EglImagePtr& out) {
   const TexturePtr texture = c.share->textures.find(name);
-  if (!texture) return ImageError::kBadParameter;
+  if (!texture || texture->target != GL_TEXTURE_2D) return ImageError::kBadParameter;
   if (const ImageError error = check_level(*texture, level); error != ImageError::kNone) {
     return error;
   }
@@ -300,7 +301,7 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
 
 namespace validate {
 
-Invalid egl_image_target_texture(const Context&, GLenum target, const void* handle) {
+Invalid egl_image_target_texture(const Context& c, GLenum target, const void* handle) {
   if (target != GL_TEXTURE_2D) {
     return {GL_INVALID_ENUM, "{0} is not TEXTURE_2D (OES_EGL_image, 3.8.2)"};
   }
@@ -310,7 +311,7 @@ Invalid egl_image_target_texture(const Context&, GLenum target, const void* hand
     return {GL_INVALID_OPERATION,
             "{1} is of depth or stencil, which is no texture (OES_EGL_image, 3.8.2)"};
   }
-  return {};
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid egl_image_target_renderbuffer(const Context& c, GLenum target, const void* handle) {

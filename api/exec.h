@@ -94,6 +94,7 @@ void delete_textures(Context&, GLsizei n, const GLuint* names);
 GLboolean is_texture(Context&, GLuint name);
 void tex_parameter(Context&, GLenum target, GLenum pname, const Params&);
 void tex_env(Context&, GLenum target, GLenum pname, const Params&);
+void tex_gen(Context&, GLenum coord, GLenum pname, const Params&);
 // texture_upload.cpp
 void tex_image(Context&, GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
                GLint border, GLenum format, GLenum type, const void* pixels);
@@ -108,6 +109,10 @@ void compressed_tex_image(Context&, GLenum target, GLint level, GLenum internal,
 void compressed_tex_sub_image(Context&, GLenum target, GLint level, GLint, GLint, GLsizei, GLsizei,
                               GLenum format, GLsizei size, const void* data);
 void generate_mipmap(Context&, GLenum target);
+// texture_storage.cpp
+void tex_storage(Context&, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
+                 GLsizei height);
+void copy_texture_levels(Context&, GLuint destination, GLuint source, GLint base, GLsizei count);
 // exec_framebuffer.cpp
 GLboolean is_renderbuffer(Context&, GLuint name);
 void bind_renderbuffer(Context&, GLenum target, GLuint name);
@@ -171,6 +176,7 @@ void get_clip_plane(Context&, GLenum plane, const Out&);
 void get_light(Context&, GLenum light, GLenum pname, const Out&);
 void get_material(Context&, GLenum face, GLenum pname, const Out&);
 void get_tex_env(Context&, GLenum target, GLenum pname, const Out&);
+void get_tex_gen(Context&, GLenum coord, GLenum pname, const Out&);
 void get_tex_parameter(Context&, GLenum target, GLenum pname, const Out&);
 void get_buffer_parameter(Context&, GLenum target, GLenum pname, GLint* params);
 GLbitfield query_matrix(Context&, GLfixed* mantissa, GLint* exponent);

@@ -7,6 +7,7 @@
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/renderbuffer_format.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -133,12 +134,21 @@ void delete_framebuffers(Context& c, GLsizei n, const GLuint* names) {
 GLenum check_framebuffer_status(Context& c, GLenum) { return framebuffer_status(c); }
 
 void framebuffer_renderbuffer(Context& c, GLenum, GLenum point, GLenum, GLuint name) {
-  attach(c, point, {c.share->renderbuffers.find(name), nullptr, 0});
+  Attachment attachment;
+  attachment.renderbuffer = c.share->renderbuffers.find(name);
+  attach(c, point, attachment);
 }
 
-void framebuffer_texture(Context& c, GLenum, GLenum point, GLenum, GLuint name, GLint level) {
-  TexturePtr texture = c.share->textures.find(name);
-  attach(c, point, {nullptr, texture, texture ? level : 0});
+void framebuffer_texture(Context& c, GLenum, GLenum point, GLenum target, GLuint name,
+                         GLint level) {
+  Attachment attachment;
+  attachment.texture = c.share->textures.find(name);
+  if (attachment.texture) {
+    attachment.level = level;
+    attachment.face = is_cube_face(target) ? target : 0;
+    attachment.image = image_index(target, level);
+  }
+  attach(c, point, attachment);
 }
 
 void framebuffer_texture_multisample(Context& c, GLenum target, GLenum point, GLenum texture_target,
@@ -165,7 +175,7 @@ void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLen
       *params = a.samples;
       break;
     default:
-      *params = 0;  // the face: not a cube map
+      *params = static_cast<GLint>(a.face);
       break;
   }
 }

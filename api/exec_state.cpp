@@ -46,6 +46,10 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.multisample.coverage, kDirtyFragment};
     case GL_TEXTURE_2D:
       return {&c.active_unit().enabled, kDirtyTexture};
+    case GL_TEXTURE_CUBE_MAP_OES:
+      return {&c.active_unit().cube_enabled, kDirtyTexture};
+    case GL_TEXTURE_GEN_STR_OES:
+      return {&c.active_unit().gen_str, kDirtyVertex};
     case GL_SCISSOR_TEST:
       return {&s.pixel.scissor_test, kDirtyRaster};
     case GL_ALPHA_TEST:
@@ -91,8 +95,14 @@ GLenum get_error(Context& c) {
 }
 
 // Both execute everything: nothing is drawn while the application goes on.
-void finish_all(Context& c) { c.finish_frame(); }
-void flush_all(Context& c) { c.finish_frame(Slow::kWaits); }
+void finish_all(Context& c) {
+  c.finish_frame();
+  c.tell_owner();
+}
+void flush_all(Context& c) {
+  c.finish_frame(Slow::kWaits);
+  c.tell_owner();
+}
 
 void hint(Context& c, GLenum target, GLenum mode) {
   MiscState& m = c.state.misc;

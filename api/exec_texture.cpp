@@ -1,7 +1,11 @@
-// Texture objects, their parameters and the texture environment (3.7.5, 3.7.11, 3.7.12).
+// Texture objects, their parameters, the texture environment (3.7.5, 3.7.11, 3.7.12), and generated
+// texture coordinates.
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -9,8 +13,13 @@ void active_texture(Context& c, GLenum texture) {
   c.state.texture.active = static_cast<GLint>(texture - GL_TEXTURE0);
 }
 
-void bind_texture(Context& c, GLenum, GLuint name) {
-  c.active_unit().texture = name == 0 ? c.default_texture : c.share->textures.bind(name);
+void bind_texture(Context& c, GLenum target, GLuint name) {
+  const bool cube = target == GL_TEXTURE_CUBE_MAP_OES;
+  TexturePtr texture = name != 0 ? c.share->textures.bind(name)
+                       : cube    ? c.default_cube_texture
+                                 : c.default_texture;
+  texture->target = target;
+  (cube ? c.active_unit().cube_texture : c.active_unit().texture) = std::move(texture);
   c.dirty |= kDirtyTexture;
 }
 
@@ -24,6 +33,7 @@ void delete_textures(Context& c, GLsizei n, const GLuint* names) {
     const TexturePtr texture = c.share->textures.find(names[i]);
     for (TextureUnitState& unit : c.state.texture.unit) {
       if (unit.texture == texture) unit.texture = c.default_texture;
+      if (unit.cube_texture == texture) unit.cube_texture = c.default_cube_texture;
     }
     detach(c, texture);
     c.share->textures.erase(names[i]);
@@ -33,8 +43,8 @@ void delete_textures(Context& c, GLsizei n, const GLuint* names) {
 
 GLboolean is_texture(Context& c, GLuint name) { return c.share->textures.find(name) != nullptr; }
 
-void tex_parameter(Context& c, GLenum, GLenum pname, const Params& p) {
-  TextureObject& texture = *c.active_unit().texture;
+void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& p) {
+  TextureObject& texture = *bound_texture(c, target);
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
       texture.min_filter = p.enumerant();
@@ -116,6 +126,12 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
       unit.alpha_scale = p.number();
       break;
   }
+}
+
+// OES_texture_cube_map: the only coordinates that are generated are s, t and r together.
+void tex_gen(Context& c, GLenum, GLenum, const Params& p) {
+  c.active_unit().gen_mode = p.enumerant();
+  c.dirty |= kDirtyVertex;
 }
 
 }  // namespace clearpipe::api::exec

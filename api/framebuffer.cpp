@@ -7,6 +7,7 @@
 #include <new>
 
 #include "api/egl_image.h"
+#include "api/pixel_format.h"
 
 namespace clearpipe::api {
 
@@ -28,10 +29,10 @@ AttachedImage image_of(const Attachment& a) {
     image.depth = r.depth_stencil && r.depth_stencil->has_depth;
     image.stencil = r.depth_stencil && r.depth_stencil->has_stencil;
   } else if (a.texture) {
-    const TextureLevel& level = a.texture->level[static_cast<size_t>(a.level)];
-    // RGB and RGBA are colour-renderable; compressed images are not.
+    const TextureLevel& level = a.texture->level[a.image];
+    // RGB and RGBA of any size are colour-renderable; compressed images are not.
     const bool colour =
-        level.internal == level.format && (level.format == GL_RGB || level.format == GL_RGBA);
+        base_format(level.internal) != 0 && (level.format == GL_RGB || level.format == GL_RGBA);
     image = {true, level.width, level.height, colour, false, false, a.samples};
   }
   return image;
@@ -72,21 +73,21 @@ GLenum status_of(const FramebufferObject& f) {
 }
 
 // A level of a texture as a buffer to draw to: the same memory.
-std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t level) {
+std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t index) {
   refresh(texture);
-  const pipeline::ImageLevel& from = texture.image->levels[level];
+  const pipeline::ImageLevel& from = texture.image->levels[index];
   auto buffer = std::make_shared<pipeline::ColourBuffer>();
   buffer->width = from.width;
   buffer->height = from.height;
   buffer->pixels = from.texels.memory();
-  buffer->has_alpha = texture.level[level].format == GL_RGBA;
+  buffer->has_alpha = texture.level[index].format == GL_RGBA;
   return buffer;
 }
 
 // The same of an attachment, with its implicit multisample buffer: a new one if the level has other
 // memory than before (EXT_multisampled_render_to_texture).
 std::shared_ptr<pipeline::ColourBuffer> buffer_of(Attachment& a) {
-  auto buffer = buffer_of(*a.texture, static_cast<size_t>(a.level));
+  auto buffer = buffer_of(*a.texture, a.image);
   if (a.samples == 0) return buffer;
   const size_t tiles = pipeline::tile_count(buffer->width, buffer->height);
   if (!a.sample_buffer || a.sample_buffer->discarded.size() != tiles ||
@@ -152,15 +153,16 @@ constexpr Invalid kNoSurface{GL_INVALID_FRAMEBUFFER_OPERATION_OES,
                              "the context is current without a surface "
                              "(OES_surfaceless_context)"};
 
-// Whether the target is one of the first levels of the texture: itself, or through an EGLImage.
+// Whether the target is one of the first levels of the texture, or of one of its faces: itself, or
+// through an EGLImage.
 bool draws_to(const Context& c, const TextureObject& texture, size_t levels) {
   if (!c.draw.colour) return false;
-  const auto first = texture.image->levels.begin();
-  return std::any_of(first,
-                     first + static_cast<ptrdiff_t>(std::min(levels, texture.image->levels.size())),
-                     [&c](const pipeline::ImageLevel& level) {
-                       return level.texels.memory() == c.draw.colour->pixels;
-                     });
+  const auto& images = texture.image->levels;
+  const auto found = std::find_if(images.begin(), images.end(), [&c](const auto& level) {
+    return level.texels.memory() == c.draw.colour->pixels;
+  });
+  return found != images.end() &&
+         static_cast<size_t>(found - images.begin()) % kTextureLevels < levels;
 }
 
 }  // namespace
@@ -228,19 +230,23 @@ void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Targe
 }
 
 void update_targets(Context& c) {
+  if (!c.framebuffer) begin_frame(&c);
   const pipeline::Target draw = draw_target(c);
   if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
 }
 
 void note_drawn_image(Context& c) {
-  if (!c.framebuffer) return;
+  if (!c.framebuffer) {
+    c.surface_drawn = true;
+    return;
+  }
   const Attachment& colour = c.framebuffer->colour;
   if (colour.texture) note_uses(c, *colour.texture);
   if (colour.renderbuffer) note_uses(c, *colour.renderbuffer);
 }
 
 void finish_drawing_to(Context& c, const TextureObject& texture) {
-  if (!draws_to(c, texture, texture.image->levels.size())) return;
+  if (!draws_to(c, texture, kTextureLevels)) return;
   c.finish_frame(Slow::kFinishes);
   if (c.framebuffer) discard_samples(*c.framebuffer);
 }

@@ -16,7 +16,14 @@ inline constexpr int kTextureStackDepth = 10;
 inline constexpr int kPaletteMatrices = pipeline::kPaletteMatrices;  // OES_matrix_palette
 inline constexpr int kVertexUnits = pipeline::kVertexUnits;
 inline constexpr int kMaxTextureSize = 16384;
-inline constexpr int kTextureLevels = 15;  // 16384 down to 1
+inline constexpr int kMaxCubeMapSize = 16384;
+inline constexpr int kTextureLevels = pipeline::kMaxLevels;
+// The levels of a mipmap whose base level has that longer side.
+constexpr int longest_mipmap(int size) {
+  int levels = 1;
+  for (; size > 1; size /= 2) ++levels;
+  return levels;
+}
 inline constexpr int kMaxRenderbufferSize = 16384;
 inline constexpr int kMaxSamples = pipeline::kSampleCount;
 inline constexpr float kMaxTextureLodBias = 15;

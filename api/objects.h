@@ -61,8 +61,10 @@ struct TextureLevel {
 
 // Table 6.14.
 struct TextureObject {
-  explicit TextureObject(GLuint n) : name(n) {}
+  explicit TextureObject(GLuint n, GLenum t = 0) : name(n), target(t) {}
   const GLuint name;
+  GLenum target;           // that it was first bound to (3.7.11); 0: to none
+  int storage_levels = 0;  // EXT_texture_storage: so many levels, immutable; 0: not immutable
   // Grows with every change but that of texels alone. Contexts that have the texture bound compare
   // it with what they derived from.
   uint64_t version = 1;
@@ -74,7 +76,8 @@ struct TextureObject {
   GLint max_level = 1000;             // APPLE_texture_max_level
   float max_anisotropy = 1;           // EXT_texture_filter_anisotropic, as set
   GLint crop_rect[4] = {0, 0, 0, 0};  // OES_draw_texture
-  std::array<TextureLevel, kTextureLevels> level;
+  // As in a pipeline::Image, those of the faces of a cube map one after the other.
+  std::array<TextureLevel, pipeline::kCubeFaces * kTextureLevels> level;
   std::shared_ptr<pipeline::Image> image = std::make_shared<pipeline::Image>();
   std::string label;
   FrameUses uses;                           // of image
@@ -98,11 +101,13 @@ struct RenderbufferObject {
 };
 using RenderbufferPtr = std::shared_ptr<RenderbufferObject>;
 
-// One attachment point: nothing, a renderbuffer, or a level of a texture.
+// One attachment point: nothing, a renderbuffer, or a level of a texture or of its face.
 struct Attachment {
   RenderbufferPtr renderbuffer;
   TexturePtr texture;
   GLint level = 0;
+  GLenum face = 0;   // 0: not a cube map
+  size_t image = 0;  // in TextureObject::level
   // EXT_multisampled_render_to_texture, of textures: the samples, and the implicit multisample
   // buffer, which is made when it is drawn to.
   int samples = 0;
@@ -158,15 +163,18 @@ struct ShareGroup {
   NameTable<FramebufferObject> framebuffers;
 };
 
-// Whether the texture is complete (3.7.9): an incomplete one disables its unit.
+// Whether the texture is complete (3.7.9): an incomplete one disables its unit. A cube map is cube
+// complete or, with a filter that needs mipmaps, mipmap cube complete.
 bool is_complete(const TextureObject& texture);
-
+// Whether the base levels of all faces fit each other, for what has faces.
+bool is_cube_complete(const TextureObject& texture);
 // Whether it has all the levels that a mipmap filter asks for.
 bool has_mipmap(const TextureObject& texture);
-
 bool is_mipmap_filter(GLenum min_filter);
 
-// The last level that a mipmap of it has: q (3.7.7).
+// The last level that a mipmap of it has: q (3.7.7), for the base level at hand or one whose longer
+// side is `size`.
 int last_mipmap_level(const TextureObject& texture);
+int last_mipmap_level(const TextureObject& texture, int size);
 
 }  // namespace clearpipe::api

@@ -107,6 +107,23 @@ inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
   }
 }
 
+// What of a colour a base format keeps (table 3.9): luminance is the red component.
+inline uint32_t components_of(uint32_t colour, GLenum format) {
+  const uint32_t r = colour & 255, a = colour >> 24;
+  switch (format) {
+    case GL_RGBA:
+      return colour;
+    case GL_RGB:
+      return colour | 0xff000000u;
+    case GL_LUMINANCE_ALPHA:
+      return rgba(r, r, r, a);
+    case GL_LUMINANCE:
+      return rgba(r, r, r, 255);
+    default:
+      return rgba(0, 0, 0, a);
+  }
+}
+
 // Bytes of a pixel as ReadPixels gives it (4.3.1, EXT_read_format_bgra); 0 if it does not.
 inline size_t read_bytes(GLenum format, GLenum type) {
   if (type == GL_UNSIGNED_BYTE) return format == GL_RGBA || format == GL_BGRA_EXT ? 4 : 0;

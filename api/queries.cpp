@@ -10,6 +10,7 @@
 #include "api/compressed_format.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/texture_target.h"
 #include "api/validate.h"
 
 namespace clearpipe::api {
@@ -161,14 +162,18 @@ Invalid get_tex_env(const Context& c, GLenum target, GLenum pname, const Out&) {
   return wrong;
 }
 
-Invalid get_tex_parameter(const Context& c, GLenum target, GLenum pname, const Out&) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
-  return enum_unless(pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
-                         pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T ||
-                         pname == GL_GENERATE_MIPMAP || pname == GL_TEXTURE_CROP_RECT_OES ||
-                         pname == GL_TEXTURE_MAX_LEVEL_APPLE ||
-                         pname == GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                     "{1} is no parameter of textures (6.1.3, table 6.14)");
+Invalid get_tex_gen(const Context&, GLenum coord, GLenum pname, const Out&) {
+  return generated_mode(coord, pname);
+}
+
+Invalid get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&) {
+  if (const Invalid wrong = texture_target(target)) return wrong;
+  return enum_unless(
+      pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
+          pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T || pname == GL_GENERATE_MIPMAP ||
+          pname == GL_TEXTURE_CROP_RECT_OES || pname == GL_TEXTURE_IMMUTABLE_FORMAT_EXT ||
+          pname == GL_TEXTURE_MAX_LEVEL_APPLE || pname == GL_TEXTURE_MAX_ANISOTROPY_EXT,
+      "{1} is no parameter of textures (6.1.3, table 6.14)");
 }
 
 Invalid get_buffer_parameter(const Context& c, GLenum target, GLenum pname, const GLint*) {
@@ -327,8 +332,12 @@ void get_tex_env(Context& c, GLenum target, GLenum pname, const Out& out) {
   }
 }
 
-void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
-  const TextureObject& t = *c.active_unit().texture;
+void get_tex_gen(Context& c, GLenum, GLenum, const Out& out) {
+  out.enumerant(0, c.active_unit().gen_mode);
+}
+
+void get_tex_parameter(Context& c, GLenum target, GLenum pname, const Out& out) {
+  const TextureObject& t = *bound_texture(c, target);
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
       out.enumerant(0, t.min_filter);
@@ -341,6 +350,9 @@ void get_tex_parameter(Context& c, GLenum, GLenum pname, const Out& out) {
       break;
     case GL_TEXTURE_WRAP_T:
       out.enumerant(0, t.wrap_t);
+      break;
+    case GL_TEXTURE_IMMUTABLE_FORMAT_EXT:
+      out.boolean(0, t.storage_levels > 0);
       break;
     case GL_TEXTURE_CROP_RECT_OES:
       put_integer(out, {t.crop_rect[0], t.crop_rect[1], t.crop_rect[2], t.crop_rect[3]});

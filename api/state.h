@@ -151,10 +151,13 @@ struct MultisampleState {
   bool coverage_invert = false;
 };
 
-// Tables 6.13 and 6.15: binding and texture environment of one unit.
+// Tables 6.13 and 6.15: binding and texture environment of one unit; cube maps and generated
+// coordinates are those of OES_texture_cube_map.
 struct TextureUnitState {
-  bool enabled = false;
-  TexturePtr texture;
+  bool enabled = false, cube_enabled = false;
+  TexturePtr texture, cube_texture;
+  bool gen_str = false;
+  GLenum gen_mode = GL_REFLECTION_MAP_OES;
   GLenum env_mode = GL_MODULATE;
   Vec4 env_colour{0, 0, 0, 0};
   GLenum combine_rgb = GL_MODULATE, combine_alpha = GL_MODULATE;

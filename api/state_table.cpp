@@ -15,6 +15,7 @@ namespace clearpipe::api {
 namespace {
 
 GLenum buffer_target(GLenum i) { return i == 0 ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER; }
+GLenum texture_target(GLenum i) { return i == 0 ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP_OES; }
 GLenum attachment_point(GLenum i) {
   return i == 0   ? GL_COLOR_ATTACHMENT0_OES
          : i == 1 ? GL_DEPTH_ATTACHMENT_OES
@@ -103,6 +104,7 @@ Instances instances(Query query) {
     case Query::kTexEnv:
     case Query::kPointSpriteEnv:
     case Query::kFilterControl:
+    case Query::kTexGen:
     case Query::kGetNumbered:
     case Query::kClipPlane:
     case Query::kLight:
@@ -111,6 +113,7 @@ Instances instances(Query query) {
       return {1, 8};
     case Query::kBuffer:
     case Query::kMaterial:
+    case Query::kTexParameter:
       return {0, 2};
     case Query::kAttachment:
       return {0, 3};
@@ -125,6 +128,7 @@ Selected::Selected(Query query, GLenum i) {
     case Query::kTexEnv:
     case Query::kPointSpriteEnv:
     case Query::kFilterControl:
+    case Query::kTexGen:
       former_ = bound(GL_ACTIVE_TEXTURE);
       glActiveTexture(GL_TEXTURE0 + i);
       restore_ = [](GLuint unit) { glActiveTexture(unit); };
@@ -226,11 +230,17 @@ Answers ask(const StateRow& row, GLenum i) {
       glGetTexEnvfv(target, row.name, a.number.data());
       break;
     }
+    case Query::kTexGen:
+      a.has_integer = a.has_fixed = a.has_float = true;
+      glGetTexGenivOES(GL_TEXTURE_GEN_STR_OES, row.name, a.integer.data());
+      glGetTexGenxvOES(GL_TEXTURE_GEN_STR_OES, row.name, a.fixed.data());
+      glGetTexGenfvOES(GL_TEXTURE_GEN_STR_OES, row.name, a.number.data());
+      break;
     case Query::kTexParameter:
       a.has_integer = a.has_fixed = a.has_float = true;
-      glGetTexParameteriv(GL_TEXTURE_2D, row.name, a.integer.data());
-      glGetTexParameterxv(GL_TEXTURE_2D, row.name, a.fixed.data());
-      glGetTexParameterfv(GL_TEXTURE_2D, row.name, a.number.data());
+      glGetTexParameteriv(texture_target(i), row.name, a.integer.data());
+      glGetTexParameterxv(texture_target(i), row.name, a.fixed.data());
+      glGetTexParameterfv(texture_target(i), row.name, a.number.data());
       break;
     case Query::kRenderbuffer:
       a.has_integer = true;

@@ -33,7 +33,8 @@ enum class Query {
   kTexEnv,          // GetTexEnv, of each ACTIVE_TEXTURE
   kPointSpriteEnv,  // the same, with the target POINT_SPRITE_OES
   kFilterControl,   // the same, with the target TEXTURE_FILTER_CONTROL_EXT
-  kTexParameter,    // GetTexParameter
+  kTexGen,          // GetTexGen, of each ACTIVE_TEXTURE
+  kTexParameter,    // GetTexParameter, of each target
   kRenderbuffer,    // GetRenderbufferParameterivOES
   kAttachment,      // GetFramebufferAttachmentParameterivOES, of each attachment point
 };
@@ -59,9 +60,9 @@ class Given {
   const void* pointer() const { return reinterpret_cast<const void*>(intptr_t{integer_[0]}); }
 
  private:
-  std::array<GLfloat, 16> float_{};
-  std::array<GLfixed, 16> fixed_{};
-  std::array<GLint, 16> integer_{};
+  std::array<GLfloat, 20> float_{};
+  std::array<GLfixed, 20> fixed_{};
+  std::array<GLint, 20> integer_{};
 };
 
 struct StateRow {
@@ -98,7 +99,7 @@ class Selected {
 // What the queries of a row write, in each type that there is a query for; more room than any of
 // them needs, which they must leave alone.
 struct Answers {
-  static constexpr size_t kRoom = 17;
+  static constexpr size_t kRoom = 20;
   static constexpr int kUntouched = 77;
   bool has_boolean = false, has_integer = false, has_fixed = false, has_float = false;
   std::array<GLboolean, kRoom> boolean;

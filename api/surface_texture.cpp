@@ -32,6 +32,11 @@ void remove_images(TextureObject& texture) {
 
 }  // namespace
 
+bool takes_surface_texture(Context* context) noexcept {
+  const std::lock_guard<std::mutex> lock(context->share->mutex);
+  return context->active_unit().texture->storage_levels == 0;
+}
+
 std::weak_ptr<SurfaceTexture> bind_surface_texture(
     Context* context, const std::vector<std::shared_ptr<pipeline::ColourBuffer>>& levels,
     bool alpha, bool mipmap) noexcept try {
@@ -44,7 +49,7 @@ std::weak_ptr<SurfaceTexture> bind_surface_texture(
   for (const auto& from : levels) images.push_back(level_of(*from, alpha));
   if (mipmap && texture->generate_mipmap && !images.empty()) {
     images.resize(1);
-    add_mipmaps(images);
+    add_mipmaps(images, last_generated_level(*texture, images[0]));
   }
   const GLenum format = alpha ? GL_RGBA : GL_RGB;
   finish_drawing_to(*context, *texture);

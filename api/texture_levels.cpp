@@ -73,9 +73,12 @@ void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum inte
 
 }  // namespace
 
-pipeline::ImageLevel make_level(int width, int height) {
-  return {width, height,
-          pipeline::Texels(static_cast<size_t>(width) * static_cast<size_t>(height))};
+pipeline::ImageLevel make_level(int width, int height, GLenum format) {
+  pipeline::Texels texels(static_cast<size_t>(width) * static_cast<size_t>(height));
+  if (const uint32_t nothing = components_of(0, format)) {
+    std::fill(texels.begin(), texels.end(), nothing);
+  }
+  return {width, height, std::move(texels)};
 }
 
 void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
@@ -88,28 +91,32 @@ void install_levels(Context& c, TextureObject& texture, size_t first, Levels lev
 
 void regenerate_levels(TextureObject& texture, size_t first, Levels levels) {
   if (!has_mipmap(texture)) orphan(texture);
-  const TextureLevel base = texture.level[0];
+  const TextureLevel base = texture.level[first / kTextureLevels * kTextureLevels];
   set_levels(texture, first, std::move(levels), base.internal, base.format);
 }
 
-void add_mipmaps(Levels& levels) {
-  if (levels[0].width == 0 || levels[0].height == 0) return;
-  while (levels.back().width > 1 || levels.back().height > 1) {
-    levels.push_back(reduced(levels.back()));
-  }
+int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base) {
+  if (base.width == 0 || base.height == 0) return 0;
+  return last_mipmap_level(texture, std::max(base.width, base.height));
+}
+
+void add_mipmaps(Levels& levels, int last) {
+  for (int i = 0; i < last; ++i) levels.push_back(reduced(levels.back()));
 }
 
 // Automatic generation is not performed from compressed images.
-bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal) {
-  return level == 0 && texture.generate_mipmap && base_format(internal) != 0;
+bool generates_mipmap(const TextureObject& texture, size_t image, GLenum internal) {
+  return image % kTextureLevels == 0 && texture.generate_mipmap && base_format(internal) != 0;
 }
 
-void replace_level(Context& c, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+void replace_level(Context& c, TextureObject& texture, size_t image, pipeline::ImageLevel to,
                    GLenum internal, GLenum format) {
   Levels levels;
   levels.push_back(std::move(to));
-  if (generates_mipmap(texture, level, internal)) add_mipmaps(levels);
-  install_levels(c, texture, static_cast<size_t>(level), std::move(levels), internal, format);
+  if (generates_mipmap(texture, image, internal)) {
+    add_mipmaps(levels, last_generated_level(texture, levels[0]));
+  }
+  install_levels(c, texture, image, std::move(levels), internal, format);
 }
 
 void make_writable(Context& c, TextureObject& texture) {

@@ -16,8 +16,11 @@ namespace clearpipe::api {
 
 using Levels = std::vector<pipeline::ImageLevel>;
 
-// A level with texels of zero.
-pipeline::ImageLevel make_level(int width, int height);
+// A level with texels of zero, and of one where the base format has no alpha.
+pipeline::ImageLevel make_level(int width, int height, GLenum format = GL_RGBA);
+
+// What generated levels are derived up to: q, for a base level of that size (3.7.7).
+int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base);
 
 // Gives the texture new levels from `first` on, as an application specifies them: it shares nothing
 // any more. Nothing changes when memory does not suffice.
@@ -28,35 +31,35 @@ void install_levels(Context& context, TextureObject& texture, size_t first, Leve
 // what it shares (issues 4 and 5 of EGL_KHR_gl_image). Finish drawing to the texture before.
 void regenerate_levels(TextureObject& texture, size_t first, Levels levels);
 
-// Appends the levels from that of the last one down to 1x1 (3.7.7, automatic mipmap generation).
-void add_mipmaps(Levels& levels);
+// Appends the levels that follow from the base level, which is there, up to a last one (3.7.7,
+// automatic mipmap generation).
+void add_mipmaps(Levels& levels, int last);
 
-// Replaces one level, and those that follow from it.
-void replace_level(Context& context, TextureObject& texture, GLint level, pipeline::ImageLevel to,
+// Replaces one image (texture_target.h), and those that follow from it.
+void replace_level(Context& context, TextureObject& texture, size_t image, pipeline::ImageLevel to,
                    GLenum internal, GLenum format);
 
-// Whether the levels above the base follow from a change of this one.
-bool generates_mipmap(const TextureObject& texture, GLint level, GLenum internal);
+// Whether the levels above the base follow from a change of this image.
+bool generates_mipmap(const TextureObject& texture, size_t image, GLenum internal);
 
 // Makes the texture's texels its own, to be written where they are: no frame reads them.
 void make_writable(Context& context, TextureObject& texture);
 
-// Changes texels of one level, and the levels that follow from it.
+// Changes texels of one image, and the levels that follow from it.
 template <typename Change>
-void change_level(Context& c, TextureObject& texture, GLint level, const Change& change) {
-  const size_t index = static_cast<size_t>(level);
-  if (generates_mipmap(texture, level, texture.level[index].internal)) {
+void change_level(Context& c, TextureObject& texture, size_t image, const Change& change) {
+  if (generates_mipmap(texture, image, texture.level[image].internal)) {
     refresh(texture);
     finish_drawing_to(c, texture);
     Levels levels;
-    levels.push_back(texture.image->levels[index]);
+    levels.push_back(texture.image->levels[image]);
     change(levels[0]);
-    add_mipmaps(levels);
-    regenerate_levels(texture, 0, std::move(levels));
+    add_mipmaps(levels, last_generated_level(texture, levels[0]));
+    regenerate_levels(texture, image, std::move(levels));
     return;
   }
   make_writable(c, texture);
-  change(texture.image->levels[index]);
+  change(texture.image->levels[image]);
 }
 
 }  // namespace clearpipe::api

@@ -6,6 +6,7 @@
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/texture_levels.h"
+#include "api/texture_target.h"
 
 namespace clearpipe::api::exec {
 
@@ -22,23 +23,6 @@ void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenu
   }
 }
 
-// What of a surface's colour a base format keeps (table 3.9): luminance is the red component.
-uint32_t reduce(uint32_t colour, GLenum format) {
-  const uint32_t r = colour & 255, a = colour >> 24;
-  switch (format) {
-    case GL_RGBA:
-      return colour;
-    case GL_RGB:
-      return colour | 0xff000000u;
-    case GL_LUMINANCE_ALPHA:
-      return rgba(r, r, r, a);
-    case GL_LUMINANCE:
-      return rgba(r, r, r, 255);
-    default:
-      return rgba(0, 0, 0, a);
-  }
-}
-
 void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
                        int yoffset, int x, int y, int width, int height) {
   // Pixels outside of the surface are undefined: they leave the texel as it is.
@@ -52,66 +36,75 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
     uint32_t* out = to.texels.data() + (yoffset + row - y) * to.width + xoffset + (x0 - x);
     const int count = static_cast<int>(x1 - x0);
     pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, out);
-    std::transform(out, out + count, out, [format](uint32_t p) { return reduce(p, format); });
+    std::transform(out, out + count, out,
+                   [format](uint32_t p) { return components_of(p, format); });
   }
 }
 
 }  // namespace
 
-void tex_image(Context& c, GLenum, GLint level, GLint internal, GLsizei width, GLsizei height,
-               GLint, GLenum format, GLenum type, const void* pixels) {
-  pipeline::ImageLevel to = make_level(width, height);
+void tex_image(Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
+               GLsizei height, GLint, GLenum format, GLenum type, const void* pixels) {
+  const GLenum held = static_cast<GLenum>(internal);
+  pipeline::ImageLevel to = make_level(width, height, base_format(held));
   if (pixels) {
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  } else if (const uint32_t nothing = reduce(0, base_format(static_cast<GLenum>(internal)))) {
-    std::fill(to.texels.begin(), to.texels.end(), nothing);
   }
-  const GLenum held = static_cast<GLenum>(internal);
-  replace_level(c, *c.active_unit().texture, level, std::move(to), held, base_format(held));
+  replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), held,
+                base_format(held));
 }
 
-void tex_sub_image(Context& c, GLenum, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
-                   GLenum format, GLenum type, const void* pixels) {
+void tex_sub_image(Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
+                   GLsizei height, GLenum format, GLenum type, const void* pixels) {
   if (!pixels || width == 0 || height == 0) return;
-  change_level(c, *c.active_unit().texture, level, [&](pipeline::ImageLevel& to) {
+  const auto change = [&](pipeline::ImageLevel& to) {
     unpack(to, x, y, width, height, format, type, pixels, c.state.misc.unpack_alignment);
-  });
+  };
+  change_level(c, *bound_texture(c, target), image_index(target, level), change);
 }
 
-void copy_tex_image(Context& c, GLenum, GLint level, GLenum internal, GLint x, GLint y,
+void copy_tex_image(Context& c, GLenum target, GLint level, GLenum internal, GLint x, GLint y,
                     GLsizei width, GLsizei height, GLint) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
-  pipeline::ImageLevel to = make_level(width, height);
-  std::fill(to.texels.begin(), to.texels.end(), reduce(0, base_format(internal)));
+  pipeline::ImageLevel to = make_level(width, height, base_format(internal));
   copy_from_surface(c, to, base_format(internal), 0, 0, x, y, width, height);
-  replace_level(c, *c.active_unit().texture, level, std::move(to), internal, base_format(internal));
+  replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), internal,
+                base_format(internal));
 }
 
-void copy_tex_sub_image(Context& c, GLenum, GLint level, GLint xoffset, GLint yoffset, GLint x,
-                        GLint y, GLsizei width, GLsizei height) {
+void copy_tex_sub_image(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                        GLint x, GLint y, GLsizei width, GLsizei height) {
   if (width == 0 || height == 0) return;
   c.finish_frame(Slow::kWaits);
   update_targets(c);
-  TextureObject& texture = *c.active_unit().texture;
-  const GLenum format = texture.level[static_cast<size_t>(level)].format;
-  change_level(c, texture, level, [&](pipeline::ImageLevel& to) {
+  TextureObject& texture = *bound_texture(c, target);
+  const size_t image = image_index(target, level);
+  const GLenum format = texture.level[image].format;
+  change_level(c, texture, image, [&](pipeline::ImageLevel& to) {
     copy_from_surface(c, to, format, xoffset, yoffset, x, y, width, height);
   });
 }
 
 // 3.8.8 of EXT_framebuffer_object: the levels above the base, as automatic generation makes them.
-void generate_mipmap(Context& c, GLenum) {
-  TextureObject& texture = *c.active_unit().texture;
+void generate_mipmap(Context& c, GLenum target) {
+  TextureObject& texture = *bound_texture(c, target);
   const TextureLevel base = texture.level[0];
   if (base.width == 0 || base.height == 0) return;
   refresh(texture);
   finish_drawing_to(c, texture);
-  Levels levels;
-  levels.push_back(texture.image->levels[0]);
-  add_mipmaps(levels);
-  levels.erase(levels.begin());
-  if (!levels.empty()) regenerate_levels(texture, 1, std::move(levels));
+  const size_t count = target == GL_TEXTURE_CUBE_MAP_OES ? pipeline::kCubeFaces : 1;
+  std::vector<Levels> mipmaps(count);
+  for (size_t face = 0; face < count; ++face) {
+    mipmaps[face].push_back(texture.image->levels[face * kTextureLevels]);
+    add_mipmaps(mipmaps[face], last_generated_level(texture, mipmaps[face][0]));
+    mipmaps[face].erase(mipmaps[face].begin());
+  }
+  if (mipmaps[0].empty()) return;
+  // From the last face on, after which there is room for all: no call but the first can fail.
+  for (size_t face = count; face-- > 0;) {
+    regenerate_levels(texture, face * kTextureLevels + 1, std::move(mipmaps[face]));
+  }
 }
 
 }  // namespace clearpipe::api::exec

@@ -67,7 +67,8 @@ Invalid blend_equation(const Context&, GLenum rgb, GLenum alpha);
 Invalid logic_op(const Context&, GLenum opcode);
 // validate_texture.cpp
 Invalid pixel_store(const Context&, GLenum pname, GLint param);
-Invalid texture_target(const Context&, GLenum target, GLuint);
+Invalid texture_target(GLenum target);
+Invalid bind_texture(const Context&, GLenum target, GLuint name);
 Invalid names(const Context&, GLsizei n, const GLuint*);
 Invalid tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
                   GLsizei height, GLint border, GLenum format, GLenum type, const void*);
@@ -84,6 +85,8 @@ Invalid compressed_tex_sub_image(const Context&, GLenum target, GLint level, GLi
                                  GLsizei, GLenum format, GLsizei size, const void*);
 Invalid tex_parameter(const Context&, GLenum target, GLenum pname, const Params&);
 Invalid tex_env(const Context&, GLenum target, GLenum pname, const Params&);
+Invalid generated_mode(GLenum coord, GLenum pname);
+Invalid tex_gen(const Context&, GLenum coord, GLenum pname, const Params&);
 // validate_draw.cpp
 Invalid client_state(const Context&, GLenum array, bool);
 Invalid vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
@@ -131,6 +134,11 @@ Invalid get_framebuffer_attachment_parameter(const Context&, GLenum target, GLen
                                              GLenum pname, const GLint*);
 Invalid discard_framebuffer(const Context&, GLenum target, GLsizei n, const GLenum* attachments);
 Invalid generate_mipmap(const Context&, GLenum target);
+// validate_storage.cpp
+Invalid tex_storage(const Context&, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
+                    GLsizei height);
+Invalid copy_texture_levels(const Context&, GLuint destination, GLuint source, GLint base,
+                            GLsizei count);
 Invalid multi_draw_arrays(const Context&, GLenum mode, const GLint* first, const GLsizei* count,
                           GLsizei n);
 Invalid multi_draw_elements(const Context&, GLenum mode, const GLsizei* count, GLenum type,
@@ -162,6 +170,7 @@ Invalid get_pointer(const Context&, GLenum pname, void**);
 Invalid get_light(const Context&, GLenum light, GLenum pname, const Out&);
 Invalid get_material(const Context&, GLenum face, GLenum pname, const Out&);
 Invalid get_tex_env(const Context&, GLenum target, GLenum pname, const Out&);
+Invalid get_tex_gen(const Context&, GLenum coord, GLenum pname, const Out&);
 Invalid get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out&);
 Invalid get_buffer_parameter(const Context&, GLenum target, GLenum pname, const GLint*);
 

@@ -2,8 +2,9 @@
 // EXT_framebuffer_object).
 // SPDX-License-Identifier: MIT
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/renderbuffer_format.h"
-#include "api/validate.h"
+#include "api/validate_image.h"
 
 namespace clearpipe::api::validate {
 
@@ -99,9 +100,11 @@ Invalid framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenu
                             GLuint name, GLint level) {
   if (const Invalid wrong = attachment(c, target, point)) return wrong;
   if (name == 0) return {};
-  if (const Invalid wrong = validate::texture_target(c, texture_target, 0)) return wrong.from(2);
-  if (!c.share->textures.find(name)) {
-    return {GL_INVALID_OPERATION, "{3} is no texture (OES_framebuffer_object, 4.4.2.3)"};
+  if (const Invalid wrong = image_target(texture_target)) return wrong.from(2);
+  const TexturePtr texture = c.share->textures.find(name);
+  if (!texture || (texture->target == GL_TEXTURE_2D) != (texture_target == GL_TEXTURE_2D)) {
+    return {GL_INVALID_OPERATION,
+            "{3} is no texture with such an image (OES_framebuffer_object, 4.4.2.3)"};
   }
   return value_unless(level >= 0 && level < kTextureLevels,
                       "{4} is no level of a texture (OES_framebuffer_object, 4.4.2.3)");
@@ -158,10 +161,15 @@ Invalid discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GL
 }
 
 Invalid generate_mipmap(const Context& c, GLenum target) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
-  const TextureLevel& base = c.active_unit().texture->level[0];
+  if (const Invalid wrong = texture_target(target)) return wrong;
+  const TextureObject& texture = *bound_texture(c, target);
+  if (target == GL_TEXTURE_CUBE_MAP_OES && !is_cube_complete(texture)) {
+    return {GL_INVALID_OPERATION,
+            "the faces do not make a complete cube (OES_framebuffer_object, 3.8.8)"};
+  }
+  const GLenum internal = texture.level[0].internal;
   return operation_unless(
-      base.internal == base.format,
+      internal == 0 || base_format(internal) != 0,
       "the base level is a compressed image (OES_compressed_paletted_texture, 3.7.7)");
 }
 

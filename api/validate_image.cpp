@@ -40,10 +40,10 @@ Invalid copied_format(const Context& c, GLenum format) {
 }
 
 // A part of an image that has parts.
-Invalid sub_rectangle(const Context& c, GLint level, GLint x, GLint y, GLsizei width,
+Invalid sub_rectangle(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
                       GLsizei height, int size_at) {
   if (const Invalid wrong = image_level(level)) return wrong;
-  const TextureLevel& to = c.active_unit().texture->level[static_cast<size_t>(level)];
+  const TextureLevel& to = image_of(c, target, level);
   if (base_format(to.internal) == 0) {
     return {GL_INVALID_OPERATION,
             "{1} of the bound texture has no image, or one with a palette or of a compressed "
@@ -63,17 +63,34 @@ Invalid compressed_only(GLenum internal) {
 
 }  // namespace
 
+Invalid image_target(GLenum target) {
+  return enum_unless(is_image_target(target), "{0} is no target of images (3.7.1)");
+}
+
+const TextureLevel& image_of(const Context& c, GLenum target, GLint level) {
+  return bound_texture(c, target)->level[image_index(target, level)];
+}
+
+Invalid mutable_texture(const TextureObject& texture) {
+  return operation_unless(texture.storage_levels == 0,
+                          "the levels of the texture of {0} are immutable (EXT_texture_storage)");
+}
+
 Invalid image_level(GLint level) {
   return value_unless(level >= 0 && level < kTextureLevels,
                       "{1} is not in [0, log2(MAX_TEXTURE_SIZE)] (3.7.1)");
 }
 
-Invalid image_size(GLint level, GLsizei width, GLsizei height) {
+Invalid image_size(GLenum target, GLint level, GLsizei width, GLsizei height) {
+  static_assert(kMaxCubeMapSize == kMaxTextureSize);
   const GLsizei limit = kMaxTextureSize >> level;
   const auto fits = [limit](GLsizei size) { return size >= 0 && size <= limit; };
-  return value_unless(
-      fits(width) && fits(height),
-      "{0} or {1} is negative, or larger than MAX_TEXTURE_SIZE allows at this level (3.7.1)");
+  if (!fits(width) || !fits(height)) {
+    return {GL_INVALID_VALUE,
+            "{0} or {1} is negative, or larger than MAX_TEXTURE_SIZE allows at this level (3.7.1)"};
+  }
+  return value_unless(!is_cube_face(target) || width == height,
+                      "{0} and {1} are not equal, as those of a face are (OES_texture_cube_map)");
 }
 
 Invalid image_border(GLint border) { return value_unless(border == 0, "{2} is not zero (3.7.1)"); }
@@ -91,7 +108,7 @@ Invalid rectangle_in_level(const TextureLevel& level, GLint x, GLint y, GLsizei 
 
 Invalid tex_image(const Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
                   GLsizei height, GLint border, GLenum format, GLenum type, const void*) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
+  if (const Invalid wrong = image_target(target)) return wrong;
   const GLenum held = static_cast<GLenum>(internal);
   if (base_format(held) == 0) {
     if (const Invalid wrong = compressed_only(held)) return wrong;
@@ -99,41 +116,43 @@ Invalid tex_image(const Context& c, GLenum target, GLint level, GLint internal, 
   }
   if (const Invalid wrong = format_and_type(format, type)) return wrong.from(6);
   if (const Invalid wrong = image_level(level)) return wrong;
-  if (const Invalid wrong = image_size(level, width, height)) return wrong.from(3);
+  if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(3);
   if (const Invalid wrong = image_border(border)) return wrong.from(3);
-  return pixels_for(held, format, type).from(6);
+  if (const Invalid wrong = pixels_for(held, format, type)) return wrong.from(6);
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLint y, GLsizei width,
                       GLsizei height, GLenum format, GLenum type, const void*) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
+  if (const Invalid wrong = image_target(target)) return wrong;
   if (const Invalid wrong = format_and_type(format, type)) return wrong.from(6);
-  if (const Invalid wrong = sub_rectangle(c, level, x, y, width, height, 4)) return wrong;
-  const GLenum held = c.active_unit().texture->level[static_cast<size_t>(level)].internal;
+  if (const Invalid wrong = sub_rectangle(c, target, level, x, y, width, height, 4)) return wrong;
+  const GLenum held = image_of(c, target, level).internal;
   // What the whole image may be given in, a part may be too, and in any type of the format.
   return pixels_for(upload_format(held), format, type).from(6);
 }
 
 Invalid copy_tex_image(const Context& c, GLenum target, GLint level, GLenum internal, GLint, GLint,
                        GLsizei width, GLsizei height, GLint border) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
+  if (const Invalid wrong = image_target(target)) return wrong;
   if (base_format(internal) == 0 || internal == GL_BGRA_EXT) {
     if (const Invalid wrong = compressed_only(internal)) return wrong;
     return {GL_INVALID_ENUM, "{2} is no internal format of copies (3.7.2, table 3.8)"};
   }
   if (const Invalid wrong = image_level(level)) return wrong;
-  if (const Invalid wrong = image_size(level, width, height)) return wrong.from(5);
+  if (const Invalid wrong = image_size(target, level, width, height)) return wrong.from(5);
   if (const Invalid wrong = image_border(border)) return wrong.from(5);
-  return copied_format(c, base_format(internal));
+  if (const Invalid wrong = copied_format(c, base_format(internal))) return wrong;
+  return mutable_texture(*bound_texture(c, target));
 }
 
 Invalid copy_tex_sub_image(const Context& c, GLenum target, GLint level, GLint xoffset,
                            GLint yoffset, GLint, GLint, GLsizei width, GLsizei height) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
-  if (const Invalid wrong = sub_rectangle(c, level, xoffset, yoffset, width, height, 6)) {
+  if (const Invalid wrong = image_target(target)) return wrong;
+  if (const Invalid wrong = sub_rectangle(c, target, level, xoffset, yoffset, width, height, 6)) {
     return wrong;
   }
-  return copied_format(c, c.active_unit().texture->level[static_cast<size_t>(level)].format);
+  return copied_format(c, image_of(c, target, level).format);
 }
 
 }  // namespace clearpipe::api::validate

@@ -1,5 +1,6 @@
 // Validators of texture objects, their parameters and environments (3.6.1, 3.7.5, 3.7.11, 3.7.12).
 // SPDX-License-Identifier: MIT
+#include "api/texture_target.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
@@ -33,16 +34,23 @@ Invalid pixel_store(const Context&, GLenum pname, GLint param) {
                       "{1} is none of 1, 2, 4 and 8 (3.6.1, table 3.1)");
 }
 
-Invalid texture_target(const Context&, GLenum target, GLuint) {
-  return enum_unless(target == GL_TEXTURE_2D, "{0} is no target of textures (3.7)");
+Invalid texture_target(GLenum target) {
+  return enum_unless(is_texture_target(target), "{0} is no target of textures (3.7)");
+}
+
+Invalid bind_texture(const Context& c, GLenum target, GLuint name) {
+  if (const Invalid wrong = texture_target(target)) return wrong;
+  const TexturePtr texture = c.share->textures.find(name);
+  return operation_unless(!texture || texture->target == target,
+                          "{1} is a texture of another target (OES_texture_cube_map, 3.8.8)");
 }
 
 Invalid names(const Context&, GLsizei n, const GLuint*) {
   return value_unless(n >= 0, "{0} is negative (2.5)");
 }
 
-Invalid tex_parameter(const Context& c, GLenum target, GLenum pname, const Params& p) {
-  if (const Invalid wrong = texture_target(c, target, 0)) return wrong;
+Invalid tex_parameter(const Context&, GLenum target, GLenum pname, const Params& p) {
+  if (const Invalid wrong = texture_target(target)) return wrong;
   const GLenum value = p.enumerant();
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
@@ -120,6 +128,22 @@ Invalid tex_env(const Context&, GLenum target, GLenum pname, const Params& p) {
     default:
       return {GL_INVALID_ENUM, "{1} is no parameter of texture environments (3.7.12)"};
   }
+}
+
+// What of generated coordinates can be set and asked for.
+Invalid generated_mode(GLenum coord, GLenum pname) {
+  if (coord != GL_TEXTURE_GEN_STR_OES) {
+    return {GL_INVALID_ENUM, "{0} is not TEXTURE_GEN_STR_OES (OES_texture_cube_map, 2.11.4)"};
+  }
+  return enum_unless(pname == GL_TEXTURE_GEN_MODE_OES,
+                     "{1} is not TEXTURE_GEN_MODE_OES (OES_texture_cube_map, 2.11.4)");
+}
+
+Invalid tex_gen(const Context&, GLenum coord, GLenum pname, const Params& p) {
+  if (const Invalid wrong = generated_mode(coord, pname)) return wrong;
+  return enum_unless(p.enumerant() == GL_NORMAL_MAP_OES || p.enumerant() == GL_REFLECTION_MAP_OES,
+                     "{2} is neither NORMAL_MAP_OES nor REFLECTION_MAP_OES (OES_texture_cube_map, "
+                     "2.11.4)");
 }
 
 }  // namespace clearpipe::api::validate

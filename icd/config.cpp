@@ -12,25 +12,6 @@ namespace clearpipe::icd {
 
 namespace {
 
-std::vector<Config> make_configs() {
-  std::vector<Config> list;
-  for (const EGLint samples : {0, pipeline::kSampleCount}) {
-    for (const EGLint alpha : {8, 0}) {
-      for (const auto& [depth, stencil] :
-           {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
-        Config config;
-        config.id = static_cast<EGLint>(list.size()) + 1;
-        config.alpha = alpha;
-        config.depth = depth;
-        config.stencil = stencil;
-        config.samples = samples;
-        list.push_back(config);
-      }
-    }
-  }
-  return list;
-}
-
 // How eglChooseConfig compares an attribute (table 3.4).
 enum class Match { kAtLeast, kExact, kMask, kIgnored };
 
@@ -70,6 +51,7 @@ constexpr std::array kDefaults = {
     Criterion{EGL_TRANSPARENT_RED_VALUE, Match::kExact, EGL_DONT_CARE},
     Criterion{EGL_TRANSPARENT_GREEN_VALUE, Match::kExact, EGL_DONT_CARE},
     Criterion{EGL_TRANSPARENT_BLUE_VALUE, Match::kExact, EGL_DONT_CARE},
+    Criterion{EGL_Y_INVERTED_NOK, Match::kExact, EGL_DONT_CARE},
     // Queries only: accepted and ignored in a list.
     Criterion{EGL_MAX_PBUFFER_WIDTH, Match::kIgnored, 0},
     Criterion{EGL_MAX_PBUFFER_HEIGHT, Match::kIgnored, 0},
@@ -91,6 +73,7 @@ bool recognized(EGLint attribute, EGLint value) {
     case EGL_BIND_TO_TEXTURE_RGB:
     case EGL_BIND_TO_TEXTURE_RGBA:
     case EGL_NATIVE_RENDERABLE:
+    case EGL_Y_INVERTED_NOK:
       return value == EGL_FALSE || value == EGL_TRUE;
     case EGL_COLOR_BUFFER_TYPE:
       return value == EGL_RGB_BUFFER || value == EGL_LUMINANCE_BUFFER;
@@ -107,8 +90,7 @@ bool recognized(EGLint attribute, EGLint value) {
       return value >= 1;
     case EGL_SAMPLE_BUFFERS:
       return value == 0 || value == 1;
-    case EGL_MATCH_NATIVE_PIXMAP:  // there is no native pixmap
-      return value == EGL_NONE;
+    case EGL_MATCH_NATIVE_PIXMAP:
     case EGL_LEVEL:
     case EGL_NATIVE_VISUAL_TYPE:
     case EGL_NATIVE_VISUAL_ID:
@@ -140,16 +122,22 @@ bool matches(const Config& config, const Criterion& criterion) {
 
 }  // namespace
 
-std::span<const Config> configs() {
-  static const std::vector<Config> list = make_configs();
-  return list;
-}
-
-const Config* find_config(EGLConfig handle) {
-  for (const Config& config : configs()) {
-    if (&config == handle) return &config;
+std::vector<Config> offscreen_configs() {
+  std::vector<Config> list;
+  for (const EGLint samples : {0, pipeline::kSampleCount}) {
+    for (const EGLint alpha : {8, 0}) {
+      for (const auto& [depth, stencil] :
+           {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
+        Config config;
+        config.alpha = alpha;
+        config.depth = depth;
+        config.stencil = stencil;
+        config.samples = samples;
+        list.push_back(config);
+      }
+    }
   }
-  return nullptr;
+  return list;
 }
 
 bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
@@ -184,15 +172,15 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
     case EGL_LUMINANCE_SIZE:
     case EGL_ALPHA_MASK_SIZE:
     case EGL_LEVEL:
-    case EGL_NATIVE_VISUAL_ID:
     case EGL_TRANSPARENT_RED_VALUE:
     case EGL_TRANSPARENT_GREEN_VALUE:
     case EGL_TRANSPARENT_BLUE_VALUE:
     case EGL_MIN_SWAP_INTERVAL:
+    case EGL_Y_INVERTED_NOK:  // pixmaps are textures with their lower row at t = 0
       value = 0;
       break;
     case EGL_MAX_SWAP_INTERVAL:
-      value = 1;
+      value = kMaxSwapInterval;
       break;
     case EGL_BIND_TO_TEXTURE_RGB:
       value = EGL_TRUE;
@@ -201,13 +189,18 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       value = config.alpha > 0 ? EGL_TRUE : EGL_FALSE;
       break;
     case EGL_NATIVE_RENDERABLE:
-      value = EGL_FALSE;
+      value = config.visual_type != EGL_NONE ? EGL_TRUE : EGL_FALSE;
+      break;
+    case EGL_NATIVE_VISUAL_ID:
+      value = config.visual_id;
+      break;
+    case EGL_NATIVE_VISUAL_TYPE:
+      value = config.visual_type;
       break;
     case EGL_COLOR_BUFFER_TYPE:
       value = EGL_RGB_BUFFER;
       break;
     case EGL_CONFIG_CAVEAT:
-    case EGL_NATIVE_VISUAL_TYPE:
     case EGL_TRANSPARENT_TYPE:
       value = EGL_NONE;
       break;
@@ -226,8 +219,8 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       value = kMaxPbuffer * kMaxPbuffer;
       break;
     case EGL_SURFACE_TYPE:
-      // A pbuffer keeps its pixels whatever is posted, so it can promise to.
-      value = EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT;
+      // Posting copies: a surface keeps its pixels, so it can promise to.
+      value = EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT | config.native_surfaces;
       if (config.samples > 0) value |= EGL_MULTISAMPLE_RESOLVE_BOX_BIT;
       break;
     default:
@@ -236,13 +229,18 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
   return true;
 }
 
-EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out) {
+EGLint choose_configs(std::span<const Config> configs, const EGLint* attrib_list,
+                      const std::function<bool(EGLint)>& is_pixmap,
+                      std::vector<const Config*>& out) {
   auto criteria = kDefaults;
   for (const EGLint* a = attrib_list; a != nullptr && *a != EGL_NONE; a += 2) {
     const auto found = std::find_if(criteria.begin(), criteria.end(),
                                     [&](const Criterion& c) { return c.attribute == a[0]; });
     if (found == criteria.end()) return EGL_BAD_ATTRIBUTE;
     if (!recognized(a[0], a[1])) return EGL_BAD_ATTRIBUTE;
+    if (a[0] == EGL_MATCH_NATIVE_PIXMAP && a[1] != EGL_NONE && !is_pixmap(a[1])) {
+      return EGL_BAD_ATTRIBUTE;
+    }
     found->value = a[1];
   }
   const auto requested = [&](EGLint attribute) {
@@ -262,14 +260,22 @@ EGLint choose_configs(const EGLint* attrib_list, std::vector<const Config*>& out
     ignore(EGL_TRANSPARENT_GREEN_VALUE);
     ignore(EGL_TRANSPARENT_BLUE_VALUE);
   }
+  // All configs for pixmaps draw to any of them.
+  if (requested(EGL_MATCH_NATIVE_PIXMAP) != EGL_NONE) {
+    for (Criterion& c : criteria) {
+      if (c.attribute == EGL_SURFACE_TYPE) {
+        c.value = (c.value == EGL_DONT_CARE ? 0 : c.value) | EGL_PIXMAP_BIT;
+      }
+    }
+  }
   // 3.4.1.1: a config asked for by its number is returned whatever the other attributes say.
   if (const EGLint id = requested(EGL_CONFIG_ID); id != EGL_DONT_CARE) {
-    for (const Config& config : configs()) {
+    for (const Config& config : configs) {
       if (config.id == id) out.push_back(&config);
     }
     return EGL_SUCCESS;
   }
-  for (const Config& config : configs()) {
+  for (const Config& config : configs) {
     if (std::all_of(criteria.begin(), criteria.end(),
                     [&](const Criterion& c) { return matches(config, c); })) {
       out.push_back(&config);

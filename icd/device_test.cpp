@@ -100,6 +100,8 @@ TEST_F(DeviceTest, Platform) {
   EXPECT_EGL_FAIL(eglGetConfigs(own, nullptr, 0, &count), EGL_FALSE, EGL_NOT_INITIALIZED);
   ASSERT_TRUE(eglInitialize(own, nullptr, nullptr));
   display = own;
+  EXPECT_EGL_FAIL(pbuffer(4, 4), EGL_NO_SURFACE, EGL_BAD_CONFIG);  // configs belong to displays
+  config = choose({EGL_ALPHA_SIZE, 8});
   const EGLSurface surface = pbuffer(4, 4);
   EXPECT_EGL_OK(eglMakeCurrent(own, surface, surface, context()));
   EXPECT_EQ(eglGetCurrentDisplay(), own);
@@ -116,13 +118,16 @@ TEST_F(DeviceTest, OtherDisplaysObjectsAreRefused) {
   const EGLContext ctx = context();
   const EGLSync sync = eglCreateSync(display, EGL_SYNC_REUSABLE_KHR, nullptr);
   EGLint value = 0;
-  EXPECT_EGL_FAIL(eglCreateContext(own, config, ctx, nullptr), EGL_NO_CONTEXT, EGL_BAD_MATCH);
+  EGLConfig own_config = nullptr;
+  const EGLint any[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+  ASSERT_TRUE(eglChooseConfig(own, any, &own_config, 1, &value));
+  EXPECT_EGL_FAIL(eglCreateContext(own, own_config, ctx, nullptr), EGL_NO_CONTEXT, EGL_BAD_MATCH);
   EXPECT_EGL_FAIL(eglMakeCurrent(own, surface, surface, ctx), EGL_FALSE, EGL_BAD_CONTEXT);
   EXPECT_EGL_FAIL(eglDestroyContext(own, ctx), EGL_FALSE, EGL_BAD_CONTEXT);
   EXPECT_EGL_FAIL(eglQuerySurface(own, surface, EGL_WIDTH, &value), EGL_FALSE, EGL_BAD_SURFACE);
   EXPECT_EGL_FAIL(eglDestroySurface(own, surface), EGL_FALSE, EGL_BAD_SURFACE);
   EXPECT_EGL_FAIL(eglDestroySync(own, sync), EGL_FALSE, EGL_BAD_PARAMETER);
-  const EGLContext own_context = eglCreateContext(own, config, EGL_NO_CONTEXT, nullptr);
+  const EGLContext own_context = eglCreateContext(own, own_config, EGL_NO_CONTEXT, nullptr);
   EXPECT_EGL_FAIL(eglMakeCurrent(own, surface, surface, own_context), EGL_FALSE, EGL_BAD_SURFACE);
   ASSERT_TRUE(eglMakeCurrent(display, surface, surface, ctx));
   EXPECT_EGL_FAIL(eglCreateSync(own, EGL_SYNC_FENCE, nullptr), EGL_NO_SYNC, EGL_BAD_MATCH);

@@ -42,6 +42,12 @@ void* Object::next_handle() {
   return reinterpret_cast<void*>(++last);
 }
 
+const Config* Display::config(EGLConfig handle) const {
+  const auto found = std::find_if(configs.begin(), configs.end(),
+                                  [handle](const Config& config) { return &config == handle; });
+  return found == configs.end() ? nullptr : &*found;
+}
+
 Surface* Display::surface(EGLSurface handle) { return find_living(surfaces, handle); }
 Context* Display::context(EGLContext handle) { return find_living(contexts, handle); }
 
@@ -73,11 +79,11 @@ EGLDeviceEXT the_device() {
   return &device;
 }
 
-Display* get_display(EGLenum platform) {
+Display* get_display(const Origin& origin) {
   for (const auto& display : displays()) {
-    if (display->platform == platform) return display.get();
+    if (display->origin == origin) return display.get();
   }
-  all_displays().push_back(std::make_unique<Display>(platform));
+  all_displays().push_back(std::make_unique<Display>(origin));
   return all_displays().back().get();
 }
 

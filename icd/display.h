@@ -8,14 +8,15 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "api/context.h"
-#include "icd/config.h"
 #include "icd/context_attributes.h"
+#include "icd/platform.h"
 #include "icd/sync.h"
 #include "pipeline/surface.h"
 
@@ -33,7 +34,8 @@ struct Surface : Object {
   const Config* config = nullptr;
   pipeline::Target target;               // what is drawn to and read
   std::vector<pipeline::Target> levels;  // of a mipmap, one of which is the target
-  EGLint width = 0, height = 0;
+  // Of a window they change on the thread to which it is current, while others may ask for them.
+  std::atomic<EGLint> width = 0, height = 0;
   bool largest_pbuffer = false;
   bool mipmap_texture = false;
   EGLint texture_format = EGL_NO_TEXTURE, texture_target = EGL_NO_TEXTURE;
@@ -42,9 +44,22 @@ struct Surface : Object {
   EGLint swap_behavior = EGL_BUFFER_PRESERVED;
   EGLint multisample_resolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
   EGLint mipmap_level = 0;
+
+  // Of windows and pixmaps.
+  enum class Kind { kPbuffer, kWindow, kPixmap };
+  Kind kind = Kind::kPbuffer;
+  std::shared_ptr<NativeSurface> native;
+  EGLint render_buffer = EGL_BACK_BUFFER;
+  EGLint swap_interval = 1;
+  bool was_posted = false;     // the window shows these buffers, as they were
+  bool age_is_known = false;   // EGL_BUFFER_AGE was asked for in this frame
+  bool damage_is_set = false;  // EGL_KHR_partial_update
+  ~Surface() {
+    if (native != nullptr) native->close();
+  }
 };
 
-struct Context : Object {
+struct Context : Object, api::SurfaceOwner {
   const Config* config = nullptr;  // null: created without a config
   ContextAttributes attributes;
   api::Context* context = nullptr;
@@ -53,6 +68,8 @@ struct Context : Object {
   ~Context() {
     if (context != nullptr) api::destroy_context(context);
   }
+  void frame_begins() noexcept override;
+  void surface_is_drawn() noexcept override;
 };
 
 // An EGLImage: api/ has what is behind the handle.
@@ -64,16 +81,27 @@ struct Image {
   ~Image() { api::destroy_egl_image(handle); }
 };
 
+// What a display is a display of; displays of equal origin are one (3.2).
+struct Origin {
+  EGLenum platform = EGL_PLATFORM_SURFACELESS_MESA;
+  void* native = nullptr;
+  EGLint screen = -1;  // the default one
+  bool operator==(const Origin&) const = default;
+};
+
 struct Display {
-  EGLenum platform;
+  const Origin origin;
   bool initialized = false;
+  std::shared_ptr<Platform> platform;  // of an initialized display
+  std::vector<Config> configs;         // made once, so that their handles stay
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;
   std::vector<std::unique_ptr<Image>> images;
   std::map<const void*, EGLLabelKHR> labels;  // of the display and its objects (EGL_KHR_debug)
 
-  explicit Display(EGLenum display_platform) : platform(display_platform) {}
+  explicit Display(const Origin& display_origin) : origin(display_origin) {}
+  const Config* config(EGLConfig handle) const;
   Surface* surface(EGLSurface handle);  // null: no living surface of this display
   Context* context(EGLContext handle);
   std::shared_ptr<Sync> sync(EGLSync handle) const;
@@ -96,8 +124,8 @@ Display* find_display(EGLDisplay handle);
 // The one device (EGL_EXT_device_query).
 EGLDeviceEXT the_device();
 
-// The display of a platform, created at the first call.
-Display* get_display(EGLenum platform);
+// The display of an origin, created at the first call.
+Display* get_display(const Origin& origin);
 
 // The living context of a handle, of whatever display, or null.
 Context* find_context(EGLContext handle);

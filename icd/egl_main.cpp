@@ -7,6 +7,7 @@
 
 #include "icd/dispatch.h"
 #include "icd/entry.h"
+#include "icd/origin.h"
 
 namespace clearpipe::icd {
 
@@ -23,10 +24,10 @@ EGLDisplay platform_display(EGLenum platform, void* native_display, const EGLAtt
 EGLBoolean supports_api(EGLenum api) { return api == EGL_OPENGL_ES_API ? EGL_TRUE : EGL_FALSE; }
 
 const char* vendor_string(int name) {
-  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS
-             ? "EGL_EXT_platform_device EGL_MESA_platform_surfaceless"
-             : nullptr;
+  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS ? PLATFORM_EXTENSIONS : nullptr;
 }
+
+EGLenum find_platform(void* native_display) { return platform_of(native_display); }
 
 void* proc_address(const char* name) {
   return reinterpret_cast<void*>(entry::GetProcAddress(name));
@@ -48,6 +49,7 @@ extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(
   imports->getVendorString = clearpipe::icd::vendor_string;
   imports->getProcAddress = clearpipe::icd::proc_address;
   imports->getDispatchAddress = clearpipe::icd::dispatch_address;
+  imports->findNativeDisplayPlatform = clearpipe::icd::find_platform;
   imports->setDispatchIndex = clearpipe::icd::set_dispatch_index;
   return EGL_TRUE;
 }

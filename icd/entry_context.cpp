@@ -3,6 +3,7 @@
 #include <new>
 
 #include "icd/entry.h"
+#include "icd/surface.h"
 
 namespace clearpipe::icd::entry {
 
@@ -53,7 +54,7 @@ EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_cont
   }
   auto context = std::make_unique<Context>();
   if (config != EGL_NO_CONFIG_KHR) {
-    context->config = find_config(config);
+    context->config = display->config(config);
     if (context->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_CONTEXT);
   }
   if (const EGLint error = parse_context_attributes(attrib_list, context->attributes);
@@ -70,8 +71,8 @@ EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_cont
     }
     share = other->context;
   }
-  context->context =
-      api::create_context(share, {context->attributes.debug, context->attributes.no_error});
+  context->context = api::create_context(
+      share, {context->attributes.debug, context->attributes.no_error}, context.get());
   if (context->context == nullptr) return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
   display->contexts.push_back(std::move(context));
   return succeed<EGLContext>(display->contexts.back()->handle);
@@ -121,6 +122,9 @@ EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLCont
     if (bound_elsewhere(*surface, thread.context)) return fail(EGL_BAD_ACCESS, EGL_FALSE);
     if (!compatible(*context, *surface)) return fail(EGL_BAD_MATCH, EGL_FALSE);
   }
+  for (Surface* surface : {draw_surface, read_surface}) {
+    if (surface != nullptr && !follow_size(*surface)) return fail(EGL_BAD_NATIVE_WINDOW, EGL_FALSE);
+  }
   if (thread.context != context) release_current(thread);
   if (context->draw != nullptr) context->draw->current = false;
   if (context->read != nullptr) context->read->current = false;
@@ -129,6 +133,7 @@ EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLCont
                          read_surface != nullptr ? read_surface->target : none)) {
     return fail(EGL_BAD_ALLOC, EGL_FALSE);
   }
+  api::expect_frame(context->context);
   context->current = true;
   context->draw = draw_surface;
   context->read = read_surface;
@@ -174,7 +179,9 @@ EGLBoolean QueryContext(EGLDisplay dpy, EGLContext ctx, EGLint attribute, EGLint
       *value = 1;
       break;
     case EGL_RENDER_BUFFER:
-      *value = context->draw != nullptr ? EGL_BACK_BUFFER : EGL_NONE;
+      *value = context->draw == nullptr                        ? EGL_NONE
+               : context->draw->kind == Surface::Kind::kPixmap ? EGL_SINGLE_BUFFER
+                                                               : EGL_BACK_BUFFER;
       break;
     default:
       return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);
@@ -196,10 +203,16 @@ EGLBoolean WaitGL() noexcept { return WaitClient(); }
 
 EGLBoolean WaitNative(EGLint engine) noexcept {
   if (engine != EGL_CORE_NATIVE_ENGINE) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  const Thread& thread = this_thread();
+  finish_current(thread);
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  const Context* context = this_thread().context;
-  if (context != nullptr && !surfaces_valid(*context)) {
-    return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
+  const Context* context = thread.context;
+  if (context == nullptr) return succeed(EGL_TRUE);
+  if (!surfaces_valid(*context)) return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
+  for (const Surface* surface : {context->draw, context->read}) {
+    if (surface != nullptr && surface->kind == Surface::Kind::kPixmap) {
+      surface->native->fetch(*surface->target.colour);
+    }
   }
   return succeed(EGL_TRUE);
 }

@@ -1,9 +1,12 @@
 // EGL commands on errors, displays and configs (3.1 to 3.4).
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 #include <new>
 
 #include "icd/entry.h"
+#include "icd/origin.h"
+#include "icd/surface.h"
 
 namespace clearpipe::icd::entry {
 
@@ -11,14 +14,25 @@ namespace {
 
 constexpr const char* kClientExtensions =
     "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
-    "EGL_EXT_device_query EGL_EXT_platform_base EGL_EXT_platform_device "
-    "EGL_KHR_client_get_all_proc_addresses EGL_KHR_debug EGL_MESA_platform_surfaceless";
-constexpr const char* kDisplayExtensions =
-    "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "
-    "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
-    "EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image EGL_KHR_image EGL_KHR_image_base "
-    "EGL_KHR_no_config_context EGL_KHR_reusable_sync EGL_KHR_surfaceless_context "
-    "EGL_KHR_wait_sync EGL_MESA_query_driver";
+    "EGL_EXT_device_query EGL_EXT_platform_base EGL_KHR_client_get_all_proc_addresses "
+    "EGL_KHR_debug " PLATFORM_EXTENSIONS;
+// Of all displays, and of those that have windows besides.
+#define DISPLAY_EXTENSIONS                                                             \
+  "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "       \
+  "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses " \
+  "EGL_KHR_gl_colorspace EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image "   \
+  "EGL_KHR_image EGL_KHR_image_base EGL_KHR_no_config_context EGL_KHR_reusable_sync "  \
+  "EGL_KHR_surfaceless_context EGL_KHR_wait_sync EGL_MESA_query_driver"
+constexpr const char* kOffscreenExtensions = DISPLAY_EXTENSIONS;
+constexpr const char* kWindowExtensions = DISPLAY_EXTENSIONS
+    " EGL_EXT_buffer_age EGL_EXT_swap_buffers_with_damage EGL_KHR_partial_update "
+    "EGL_KHR_swap_buffers_with_damage EGL_NOK_texture_from_pixmap";
+
+bool has_windows(const Display& display) {
+  return std::any_of(display.configs.begin(), display.configs.end(), [](const Config& config) {
+    return (config.native_surfaces & EGL_WINDOW_BIT) != 0;
+  });
+}
 
 EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
                           EGLint* num_config) {
@@ -50,54 +64,76 @@ EGLint GetError() noexcept {
 }
 
 EGLDisplay GetDisplay(EGLNativeDisplayType display_id) noexcept try {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
+  const std::optional<Origin> origin = detect_origin(reinterpret_cast<void*>(display_id));
   // An unknown native display matches nothing, which is no error (3.2).
-  if (display_id != EGL_DEFAULT_DISPLAY) return succeed(EGL_NO_DISPLAY);
-  return succeed<EGLDisplay>(get_display(EGL_PLATFORM_SURFACELESS_MESA));
+  if (!origin) return succeed(EGL_NO_DISPLAY);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  return succeed<EGLDisplay>(get_display(*origin));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
 }
 
-EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
-                              const EGLAttrib* attrib_list) noexcept try {
-  const std::lock_guard<std::mutex> lock(egl_mutex());
-  // Either platform has one display: the default one, or that of the one device.
-  const bool ours = platform == EGL_PLATFORM_SURFACELESS_MESA
-                        ? native_display == EGL_DEFAULT_DISPLAY
-                    : platform == EGL_PLATFORM_DEVICE_EXT ? native_display == the_device()
-                                                          : false;
-  if (!ours) return fail(EGL_BAD_PARAMETER, EGL_NO_DISPLAY);
-  if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
-    return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
+namespace {
+
+template <class Attribute>
+EGLDisplay get_platform_display(EGLenum platform, void* native_display,
+                                const Attribute* attrib_list) noexcept try {
+  Origin origin;
+  EGLint error = origin_of(platform, native_display, origin);
+  for (; error == EGL_SUCCESS && attrib_list != nullptr && *attrib_list != EGL_NONE;
+       attrib_list += 2) {
+    if (!is_screen_attribute(platform, attrib_list[0]) || attrib_list[1] < 0 ||
+        attrib_list[1] > 0xffff) {
+      error = EGL_BAD_ATTRIBUTE;
+    } else {
+      origin.screen = static_cast<EGLint>(attrib_list[1]);
+    }
   }
-  return succeed<EGLDisplay>(get_display(platform));
+  if (error != EGL_SUCCESS) return fail(error, EGL_NO_DISPLAY);
+  const std::lock_guard<std::mutex> lock(egl_mutex());
+  return succeed<EGLDisplay>(get_display(origin));
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_NO_DISPLAY);
+}
+
+}  // namespace
+
+EGLDisplay GetPlatformDisplay(EGLenum platform, void* native_display,
+                              const EGLAttrib* attrib_list) noexcept {
+  return get_platform_display(platform, native_display, attrib_list);
 }
 
 EGLDisplay GetPlatformDisplayEXT(EGLenum platform, void* native_display,
                                  const EGLint* attrib_list) noexcept {
-  if (attrib_list != nullptr && *attrib_list != EGL_NONE) {
-    return fail(EGL_BAD_ATTRIBUTE, EGL_NO_DISPLAY);
-  }
-  return GetPlatformDisplay(platform, native_display, nullptr);
+  return get_platform_display(platform, native_display, attrib_list);
 }
 
-EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept {
+EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = find_display(dpy);
   if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
-  display->initialized = true;
+  if (!display->initialized) {
+    display->platform = open_platform(display->origin);
+    if (display->platform == nullptr) return fail(EGL_NOT_INITIALIZED, EGL_FALSE);
+    if (display->configs.empty()) {
+      display->configs = display->platform->configs();
+      EGLint id = 0;
+      for (Config& config : display->configs) config.id = ++id;
+    }
+    display->initialized = true;
+  }
   if (major != nullptr) *major = 1;
   if (minor != nullptr) *minor = 5;
   return succeed(EGL_TRUE);
+} catch (const std::bad_alloc&) {
+  return fail(EGL_BAD_ALLOC, EGL_FALSE);
 }
 
 EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = find_display(dpy);
   if (display == nullptr) return fail(EGL_BAD_DISPLAY, EGL_FALSE);
-  for (const auto& surface : display->surfaces) surface->destroyed = true;
+  for (const auto& surface : display->surfaces) destroy(*surface);
   for (const auto& context : display->contexts) context->destroyed = true;
   for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
   display->syncs.clear();
@@ -106,6 +142,7 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
     label = label->first == display ? std::next(label) : display->labels.erase(label);
   }
   display->sweep();
+  display->platform = nullptr;
   display->initialized = false;
   return succeed(EGL_TRUE);
 }
@@ -116,12 +153,13 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
   if (dpy == EGL_NO_DISPLAY && (name == EGL_EXTENSIONS || name == EGL_VERSION)) {
     return succeed(name == EGL_EXTENSIONS ? kClientExtensions : "1.5 clearpipe");
   }
-  if (initialized_display(dpy) == nullptr) return none;
+  const Display* display = initialized_display(dpy);
+  if (display == nullptr) return none;
   switch (name) {
     case EGL_CLIENT_APIS:
       return succeed("OpenGL_ES");
     case EGL_EXTENSIONS:
-      return succeed(kDisplayExtensions);
+      return succeed(has_windows(*display) ? kWindowExtensions : kOffscreenExtensions);
     case EGL_VENDOR:
       return succeed("clearpipe");
     case EGL_VERSION:
@@ -159,10 +197,11 @@ EGLBoolean ReleaseThread() noexcept {
 EGLBoolean GetConfigs(EGLDisplay dpy, EGLConfig* out, EGLint config_size,
                       EGLint* num_config) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  const Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
   if (num_config == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
   std::vector<const Config*> list;
-  for (const Config& config : configs()) list.push_back(&config);
+  for (const Config& config : display->configs) list.push_back(&config);
   return return_configs(list.data(), list.size(), out, config_size, num_config);
 } catch (const std::bad_alloc&) {
   return fail(EGL_BAD_ALLOC, EGL_FALSE);
@@ -171,10 +210,15 @@ EGLBoolean GetConfigs(EGLDisplay dpy, EGLConfig* out, EGLint config_size,
 EGLBoolean ChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* out,
                         EGLint config_size, EGLint* num_config) noexcept try {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
+  const Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
   if (num_config == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
   std::vector<const Config*> list;
-  if (const EGLint error = choose_configs(attrib_list, list); error != EGL_SUCCESS) {
+  const auto is_pixmap = [display](EGLint handle) {
+    return display->platform->has_pixmap(static_cast<uintptr_t>(handle));
+  };
+  if (const EGLint error = choose_configs(display->configs, attrib_list, is_pixmap, list);
+      error != EGL_SUCCESS) {
     return fail(error, EGL_FALSE);
   }
   return return_configs(list.data(), list.size(), out, config_size, num_config);
@@ -185,8 +229,9 @@ EGLBoolean ChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* ou
 EGLBoolean GetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute,
                            EGLint* value) noexcept {
   const std::lock_guard<std::mutex> lock(egl_mutex());
-  if (initialized_display(dpy) == nullptr) return EGL_FALSE;
-  const Config* found = find_config(config);
+  const Display* display = initialized_display(dpy);
+  if (display == nullptr) return EGL_FALSE;
+  const Config* found = display->config(config);
   if (found == nullptr) return fail(EGL_BAD_CONFIG, EGL_FALSE);
   if (value == nullptr) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
   if (!config_attrib(*found, attribute, *value)) return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);

@@ -1,4 +1,4 @@
-// EGL commands that make surfaces textures (3.6).
+// EGL commands that make surfaces textures (3.6, EGL_NOK_texture_from_pixmap).
 // SPDX-License-Identifier: MIT
 #include <new>
 
@@ -15,7 +15,9 @@ Surface* texture_surface(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
   if (display == nullptr) return nullptr;
   Surface* surface = display->surface(handle);
   Surface* const none = nullptr;
-  if (surface == nullptr) return fail(EGL_BAD_SURFACE, none);
+  if (surface == nullptr || surface->kind == Surface::Kind::kWindow) {
+    return fail(EGL_BAD_SURFACE, none);
+  }
   if (buffer != EGL_BACK_BUFFER) return fail(EGL_BAD_PARAMETER, none);
   if (surface->texture_format == EGL_NO_TEXTURE) return fail(EGL_BAD_MATCH, none);
   return surface;
@@ -31,6 +33,8 @@ EGLBoolean BindTexImage(EGLDisplay dpy, EGLSurface handle, EGLint buffer) noexce
   if (surface == nullptr) return EGL_FALSE;
   if (!surface->texture.expired()) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   if (thread.context == nullptr) return succeed(EGL_TRUE);  // ignored
+  if (!api::takes_surface_texture(thread.context->context)) return fail(EGL_BAD_MATCH, EGL_FALSE);
+  if (surface->kind == Surface::Kind::kPixmap) surface->native->fetch(*surface->target.colour);
   // A mipmap is generated from the base level, or is what was drawn to its levels.
   const bool generate = surface->mipmap_texture && surface->mipmap_level == 0;
   std::vector<std::shared_ptr<pipeline::ColourBuffer>> levels;

@@ -3,40 +3,23 @@
 #include "icd/surface.h"
 
 #include <algorithm>
+#include <new>
 
 namespace clearpipe::icd {
 
 namespace {
 
-EGLint parse_boolean(EGLint value, bool& out) {
+EGLint parse_boolean(EGLAttrib value, bool& out) {
   if (value != EGL_FALSE && value != EGL_TRUE) return EGL_BAD_ATTRIBUTE;
   out = value == EGL_TRUE;
   return EGL_SUCCESS;
 }
 
-// One attribute of 3.5.2; the EGL error or EGL_SUCCESS.
-EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
+// What surfaces of every kind may be created with; the EGL error or EGL_SUCCESS.
+EGLint parse_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
   switch (name) {
-    case EGL_WIDTH:
-      out.width = value;
-      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
-    case EGL_HEIGHT:
-      out.height = value;
-      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
-    case EGL_LARGEST_PBUFFER:
-      return parse_boolean(value, out.largest_pbuffer);
-    case EGL_MIPMAP_TEXTURE:
-      return parse_boolean(value, out.mipmap_texture);
-    case EGL_TEXTURE_FORMAT:
-      out.texture_format = value;
-      return value == EGL_NO_TEXTURE || value == EGL_TEXTURE_RGB || value == EGL_TEXTURE_RGBA
-                 ? EGL_SUCCESS
-                 : EGL_BAD_ATTRIBUTE;
-    case EGL_TEXTURE_TARGET:
-      out.texture_target = value;
-      return value == EGL_NO_TEXTURE || value == EGL_TEXTURE_2D ? EGL_SUCCESS : EGL_BAD_ATTRIBUTE;
     case EGL_GL_COLORSPACE:  // kept for queries; OpenGL ES 1 does not convert (3.5.1)
-      out.gl_colorspace = value;
+      out.gl_colorspace = static_cast<EGLint>(value);
       return value == EGL_GL_COLORSPACE_LINEAR || value == EGL_GL_COLORSPACE_SRGB
                  ? EGL_SUCCESS
                  : EGL_BAD_ATTRIBUTE;
@@ -49,6 +32,67 @@ EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
     default:
       return EGL_BAD_ATTRIBUTE;
   }
+}
+
+// Of surfaces that can be textures: pbuffers (3.5.2) and pixmaps (EGL_NOK_texture_from_pixmap).
+EGLint parse_texture_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
+  switch (name) {
+    case EGL_MIPMAP_TEXTURE:
+      return parse_boolean(value, out.mipmap_texture);
+    case EGL_TEXTURE_FORMAT:
+      out.texture_format = static_cast<EGLint>(value);
+      return value == EGL_NO_TEXTURE || value == EGL_TEXTURE_RGB || value == EGL_TEXTURE_RGBA
+                 ? EGL_SUCCESS
+                 : EGL_BAD_ATTRIBUTE;
+    case EGL_TEXTURE_TARGET:
+      out.texture_target = static_cast<EGLint>(value);
+      return value == EGL_NO_TEXTURE || value == EGL_TEXTURE_2D ? EGL_SUCCESS : EGL_BAD_ATTRIBUTE;
+    default:
+      return parse_attribute(name, value, out);
+  }
+}
+
+// 3.5.2: both or neither; and the config must be one that binds to the format (table 3.1).
+EGLint check_texture(const Surface& surface) {
+  const bool fits =
+      (surface.texture_format == EGL_NO_TEXTURE) == (surface.texture_target == EGL_NO_TEXTURE) &&
+      (surface.texture_format != EGL_TEXTURE_RGBA || surface.config->alpha > 0);
+  return fits ? EGL_SUCCESS : EGL_BAD_MATCH;
+}
+
+EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
+  switch (name) {
+    case EGL_WIDTH:
+      out.width = value;
+      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
+    case EGL_HEIGHT:
+      out.height = value;
+      return value < 0 ? EGL_BAD_PARAMETER : EGL_SUCCESS;
+    case EGL_LARGEST_PBUFFER:
+      return parse_boolean(value, out.largest_pbuffer);
+    default:
+      return parse_texture_attribute(name, value, out);
+  }
+}
+
+EGLint parse_window_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
+  if (name != EGL_RENDER_BUFFER) return parse_attribute(name, value, out);
+  // What is asked for; drawn to is the back buffer, as it may be (3.5.1).
+  out.render_buffer = static_cast<EGLint>(value);
+  return value == EGL_BACK_BUFFER || value == EGL_SINGLE_BUFFER ? EGL_SUCCESS : EGL_BAD_ATTRIBUTE;
+}
+
+template <class Attribute>
+EGLint parse_native_list(const Attribute* list, Surface& out) {
+  const bool is_window = out.kind == Surface::Kind::kWindow;
+  out.swap_behavior = EGL_BUFFER_DESTROYED;
+  out.render_buffer = is_window ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
+  for (; list != nullptr && *list != EGL_NONE; list += 2) {
+    const EGLint error = is_window ? parse_window_attribute(list[0], list[1], out)
+                                   : parse_texture_attribute(list[0], list[1], out);
+    if (error != EGL_SUCCESS) return error;
+  }
+  return check_texture(out);
 }
 
 // Buffers of a size as the config has them; false when memory does not suffice. A surface without
@@ -77,22 +121,32 @@ EGLint parse_pbuffer(const EGLint* list, Surface& out) {
     const EGLint error = parse_pbuffer_attribute(list[0], list[1], out);
     if (error != EGL_SUCCESS) return error;
   }
-  // 3.5.2: both or neither; and the config must be one that binds to the format (table 3.1).
-  if ((out.texture_format == EGL_NO_TEXTURE) != (out.texture_target == EGL_NO_TEXTURE) ||
-      (out.texture_format == EGL_TEXTURE_RGBA && out.config->alpha == 0)) {
-    return EGL_BAD_MATCH;
-  }
+  if (const EGLint error = check_texture(out); error != EGL_SUCCESS) return error;
   if (out.largest_pbuffer) {
-    out.width = std::min(out.width, kMaxPbuffer);
-    out.height = std::min(out.height, kMaxPbuffer);
+    out.width = std::min<EGLint>(out.width, kMaxPbuffer);
+    out.height = std::min<EGLint>(out.height, kMaxPbuffer);
   }
   return out.width > kMaxPbuffer || out.height > kMaxPbuffer ? EGL_BAD_ALLOC : EGL_SUCCESS;
 }
 
+EGLint parse_native(const EGLint* list, Surface& out) { return parse_native_list(list, out); }
+EGLint parse_native(const EGLAttrib* list, Surface& out) { return parse_native_list(list, out); }
+
 bool make_buffers(Surface& surface) {
-  if (!make_target(*surface.config, surface.width, surface.height, surface.target)) return false;
+  if (surface.width > kMaxPbuffer || surface.height > kMaxPbuffer ||
+      !make_target(*surface.config, surface.width, surface.height, surface.target)) {
+    return false;
+  }
+  // A pixmap's pixels are written from outside as well.
+  if (surface.kind == Surface::Kind::kPixmap &&
+      !pipeline::lay_out_in_rows(*surface.target.colour)) {
+    return false;
+  }
   surface.levels = {surface.target};
-  if (!surface.mipmap_texture || surface.texture_format == EGL_NO_TEXTURE) return true;
+  if (surface.kind != Surface::Kind::kPbuffer || !surface.mipmap_texture ||
+      surface.texture_format == EGL_NO_TEXTURE) {
+    return true;
+  }
   for (int width = surface.width, height = surface.height; width > 1 || height > 1;) {
     width = std::max(width / 2, 1);
     height = std::max(height / 2, 1);
@@ -104,6 +158,50 @@ bool make_buffers(Surface& surface) {
 void select_level(Surface& surface, EGLint level) {
   const EGLint last = static_cast<EGLint>(surface.levels.size()) - 1;
   surface.target = surface.levels[static_cast<size_t>(std::clamp(level, 0, last))];
+}
+
+bool follow_size(Surface& surface) {
+  if (surface.kind != Surface::Kind::kWindow) return true;
+  const std::optional<Size> size = surface.native->size();
+  if (!size) return false;
+  if (*size == Size{surface.width, surface.height}) return true;
+  const Size before = {surface.width, surface.height};
+  surface.width = size->width;
+  surface.height = size->height;
+  try {
+    if (make_buffers(surface)) {
+      surface.was_posted = false;
+      return true;
+    }
+  } catch (const std::bad_alloc&) {
+    // As below.
+  }
+  surface.width = before.width;
+  surface.height = before.height;
+  surface.target = surface.levels[0];
+  return true;
+}
+
+void copy_to_pixmap(Surface& surface) {
+  if (surface.kind != Surface::Kind::kPixmap || surface.destroyed) return;
+  const Rect all = {0, 0, surface.width, surface.height};
+  surface.native->post(*surface.target.colour, {&all, 1}, 0);
+}
+
+void destroy(Surface& surface) {
+  surface.destroyed = true;
+  if (surface.native != nullptr) surface.native->close();
+}
+
+void Context::frame_begins() noexcept {
+  for (Surface* surface : {draw, read}) {
+    if (surface != nullptr) follow_size(*surface);
+  }
+  bind_targets(*this);
+}
+
+void Context::surface_is_drawn() noexcept {
+  if (draw != nullptr) copy_to_pixmap(*draw);
 }
 
 }  // namespace clearpipe::icd

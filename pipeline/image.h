@@ -64,8 +64,13 @@ struct ImageLevel {
   Texels texels;  // row-major, width * height
 };
 
+inline constexpr int kMaxLevels = 15;  // of 16384 texels, down to 1
+inline constexpr int kCubeFaces = 6;
+
+// One image with its levels of detail; absent ones have width 0. Those of a cube map's faces follow
+// each other in the order +x -x +y -y +z -z: level i of face f is levels[kMaxLevels * f + i].
 struct Image {
-  std::vector<ImageLevel> levels;  // index = level of detail; absent levels have width 0
+  std::vector<ImageLevel> levels;
 };
 
 using ImageRef = std::shared_ptr<const Image>;

@@ -21,6 +21,8 @@ int64_t better_than(std::string_view name) {
   return 0;
 }
 
+int64_t best_target;
+
 }  // namespace
 
 void select_simd_target() {
@@ -29,14 +31,17 @@ void select_simd_target() {
     if (const char* name = std::getenv("CLEARPIPE_SIMD")) {
       hwy::DisableTargets(better_than(name));
     }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    // Asking leaves all targets chosen, disabled ones too.
+    const int64_t targets = hwy::SupportedTargets();
+    hwy::GetChosenTarget().Update(targets);
+    best_target = targets & HWY_TARGETS;
+    best_target &= -best_target;
   });
 }
 
 const char* simd_target_name() {
   select_simd_target();
-  const int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
-  return hwy::TargetName(targets & -targets);
+  return hwy::TargetName(best_target);
 }
 
 }  // namespace clearpipe::pipeline

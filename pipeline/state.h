@@ -90,6 +90,8 @@ struct VertexState {
   uint8_t texture_units = 0;   // bit u: unit u samples a texture, so its coordinates are needed
   uint8_t texture_matrix = 0;  // bit u: texture matrix of unit u is not the identity
   std::array<Mat4, kMaxTextureUnits> texture_matrices;
+  // Bit u: s, t and r of unit u are generated, as the reflection vector or the normal.
+  uint8_t reflection_map = 0, normal_map = 0;
   uint8_t clip_planes = 0;                      // bit i: user clip plane i is enabled (2.11)
   std::array<Vec4, kMaxClipPlanes> clip_plane;  // eye space
   // Points (3.3): derived size = clamp(size * attenuation), fade below the threshold.
@@ -186,6 +188,7 @@ struct Combiner {
 
 struct TextureUnit {
   bool enabled = false;  // a complete texture is enabled on this unit
+  bool cube = false;     // a cube map: (s, t, r) is a direction
   ImageRef image;        // all its levels
   Sampler sampler;
   Combiner combiner;

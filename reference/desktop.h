@@ -18,6 +18,7 @@ struct DesktopOnly {
   void (*ClipPlane)(GLenum, const double*) = nullptr;
   void (*GetClipPlane)(GLenum, double*) = nullptr;
   void (*GetBufferSubData)(GLenum, GLintptr, GLsizeiptr, void*) = nullptr;
+  void (*TexGeni)(GLenum, GLenum, GLint) = nullptr;
 };
 
 extern Gl desktop;  // the commands of the same name

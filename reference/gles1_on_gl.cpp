@@ -55,6 +55,26 @@ void translate_doubles(Gl& gl) {
   };
 }
 
+// Coordinates that ES generates together are three on the desktop (OES_texture_cube_map).
+constexpr GLenum kTextureGenS = 0x0C60, kS = 0x2000;
+
+void set_capability(decltype(Gl::Enable) set, GLenum capability) {
+  if (capability != GL_TEXTURE_GEN_STR_OES) return set(capability);
+  for (GLenum i = 0; i < 3; ++i) set(kTextureGenS + i);
+}
+
+void tex_gen(GLint mode) {
+  for (GLenum i = 0; i < 3; ++i) desktop_only.TexGeni(kS + i, GL_TEXTURE_GEN_MODE_OES, mode);
+}
+
+void translate_generated_coordinates(Gl& gl) {
+  gl.Enable = [](GLenum capability) { set_capability(desktop.Enable, capability); };
+  gl.Disable = [](GLenum capability) { set_capability(desktop.Disable, capability); };
+  gl.TexGeniOES = [](GLenum, GLenum, GLint mode) { tex_gen(mode); };
+  gl.TexGenfOES = [](GLenum, GLenum, GLfloat mode) { tex_gen(static_cast<GLint>(mode)); };
+  gl.TexGenxOES = [](GLenum, GLenum, GLfixed mode) { tex_gen(mode); };
+}
+
 }  // namespace
 
 Gl gles1_on_gl(void* (*find)(const char* name)) {
@@ -64,6 +84,7 @@ Gl gles1_on_gl(void* (*find)(const char* name)) {
   load(desktop_only.ClipPlane, find, "glClipPlane");
   load(desktop_only.GetClipPlane, find, "glGetClipPlane");
   load(desktop_only.GetBufferSubData, find, "glGetBufferSubData");
+  load(desktop_only.TexGeni, find, "glTexGeni");
   load(desktop.BlendFuncSeparateOES, find, "glBlendFuncSeparate");
   load(desktop.BlendEquationOES, find, "glBlendEquation");
   load(desktop.BlendEquationSeparateOES, find, "glBlendEquationSeparate");
@@ -72,6 +93,7 @@ Gl gles1_on_gl(void* (*find)(const char* name)) {
   translate_doubles(gl);
   translate_fixed(gl);
   translate_arrays(gl);
+  translate_generated_coordinates(gl);
   return gl;
 }
 

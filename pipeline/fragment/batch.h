@@ -30,6 +30,8 @@ struct FragmentBatch {
   // Texture coordinates s, t of the unit being sampled, already divided by q and w, and the same at
   // the three corners of the fragment's 2x2 quad that give the level of detail (3.7.7).
   alignas(64) float s[kBatchSize], t[kBatchSize];
+  // Of a cube map, the face that (s, t) lies on: 0 to 5, times kFaceKey (sample.h). Else not used.
+  alignas(64) int32_t face[kBatchSize];
   alignas(64) float lod[kBatchSize];  // log2 of the scale factor rho, before bias and clamping
   // With anisotropic filtering: the longer derivative of (s, t), and the number of samples on it.
   alignas(64) float along_s[kBatchSize], along_t[kBatchSize], probes[kBatchSize];

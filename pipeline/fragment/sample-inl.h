@@ -129,8 +129,8 @@ void sample_one_level(const SampleState& state, FragmentBatch& batch, int unit) 
   }
 }
 
-// Where a fragment samples: key is 2 * (level - first_level), plus 1 for the magnification filter;
-// weight is that of the next level, zero when it is not needed.
+// Where a fragment samples: key as sample.h says; weight is that of the next level, zero when it is
+// not needed.
 struct LevelChoice {
   VecInt key, weight;
 };
@@ -180,7 +180,7 @@ HWY_NOINLINE Colours sample_keys(const SampleState& state, const Axes& axes, Vec
   Colours result = no_colours();
   for (intptr_t i = hn::FindFirstTrue(di, wanted); i >= 0; i = hn::FindFirstTrue(di, wanted)) {
     const int32_t k = keys[i];
-    const SampleLevel& level = state.levels[state.first_level + (k >> 1)];
+    const SampleLevel& level = state.level(state.first_level + (k >> 1));
     const Filter filter = (k & 1) != 0 ? state.sampler.mag : state.sampler.min;
     const Colours c = filter == Filter::kLinear ? sample_linear<Axes, kFine>(axes, level, s, t)
                                                 : sample_nearest<Axes, kFine>(axes, level, s, t);
@@ -205,8 +205,10 @@ HWY_INLINE void choose_levels(const SampleState& state, const FragmentBatch& bat
   const TagFloat df;
   const TagInt di;
   const size_t count = static_cast<size_t>(batch.count);
+  const bool cube = state.is_cube();
   for (size_t i = 0; i < count; i += hn::Lanes(df)) {
-    const LevelChoice choice = choose_level<kFine>(state, hn::Load(df, batch.lod + i));
+    LevelChoice choice = choose_level<kFine>(state, hn::Load(df, batch.lod + i));
+    if (cube) choice.key = hn::Add(choice.key, hn::Load(di, batch.face + i));
     hn::Store(choice.key, di, choices.key + i);
     hn::Store(choice.weight, di, choices.weight + i);
     if (!hn::AllTrue(di, hn::Eq(choice.key, hn::Set(di, choices.key[0])))) {
@@ -224,8 +226,8 @@ HWY_NOINLINE void sample_same_key(const SampleState& state, const BatchChoice& c
   const TagInt di;
   const Axes axes(state);
   const int first = state.first_level + (choices.key[0] >> 1);
-  const SampleLevel levels[2] = {state.levels[first],
-                                 state.levels[choices.two_levels ? first + 1 : first]};
+  const SampleLevel levels[2] = {state.level(first),
+                                 state.level(choices.two_levels ? first + 1 : first)};
   const size_t count = static_cast<size_t>(batch.count);
   for (size_t i = 0; i < count; i += hn::Lanes(df)) {
     const VecFloat s = hn::Load(df, batch.s + i);
@@ -281,7 +283,7 @@ void sample_levels(const SampleState& state, FragmentBatch& batch, int unit) {
 template <class Axes, bool kFine>
 SampleFunction choose_filter(const SampleState& state) {
   if (state.sampler.max_anisotropy > 1) return sample_anisotropic<sample_levels<Axes, kFine>>;
-  if (state.needs_lod) return sample_levels<Axes, kFine>;
+  if (state.needs_lod || state.is_cube()) return sample_levels<Axes, kFine>;
   return state.sampler.min == Filter::kLinear ? sample_one_level<Axes, kFine, true>
                                               : sample_one_level<Axes, kFine, false>;
 }

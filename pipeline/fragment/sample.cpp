@@ -26,6 +26,23 @@ bool has_texels(const ImageLevel& level) {
              static_cast<size_t>(level.width) * static_cast<size_t>(level.height);
 }
 
+// The levels of a face (0 for an image that is no cube map) from `first` to the last that is there,
+// which is returned, but not beyond `wanted`.
+int take_levels(const Image* image, int face, int first, int wanted, SampleLevel* out) {
+  out[first] = {&kBlack, 1, 1};
+  const size_t start = static_cast<size_t>(face) * kMaxLevels;
+  int last = first;
+  for (int i = first; i <= wanted; ++i) {
+    const size_t index = start + static_cast<size_t>(i);
+    if (image == nullptr || index >= image->levels.size()) break;
+    const ImageLevel& level = image->levels[index];
+    if (!has_texels(level)) break;
+    out[i] = {level.texels.data(), level.width, level.height};
+    last = i;
+  }
+  return last;
+}
+
 }  // namespace
 
 SampleState make_sample_state(const TextureUnit& unit) {
@@ -33,19 +50,16 @@ SampleState make_sample_state(const TextureUnit& unit) {
   state.sampler = unit.sampler;
   const Sampler& sampler = state.sampler;
   state.first_level = std::clamp(sampler.base_level, 0, kMaxLevels - 1);
-  state.last_level = state.first_level;
-  state.levels[state.first_level] = {&kBlack, 1, 1};
-  if (unit.image != nullptr) {
-    const int stored =
-        static_cast<int>(std::min(unit.image->levels.size(), static_cast<size_t>(kMaxLevels)));
-    const int wanted = sampler.mip == MipFilter::kNone
-                           ? state.first_level
-                           : std::max(sampler.max_level, state.first_level);
-    for (int i = state.first_level; i < stored && i <= wanted; ++i) {
-      const ImageLevel& level = unit.image->levels[static_cast<size_t>(i)];
-      if (!has_texels(level)) break;
-      state.levels[i] = {level.texels.data(), level.width, level.height};
-      state.last_level = i;
+  const int wanted = sampler.mip == MipFilter::kNone
+                         ? state.first_level
+                         : std::clamp(sampler.max_level, state.first_level, kMaxLevels - 1);
+  state.last_level = take_levels(unit.image.get(), 0, state.first_level, wanted, state.levels);
+  if (unit.cube) {
+    state.other_faces.resize(static_cast<size_t>(kCubeFaces - 1) * kMaxLevels);
+    for (int face = 1; face < kCubeFaces; ++face) {
+      const int last = take_levels(unit.image.get(), face, state.first_level, wanted,
+                                   &state.other_faces[static_cast<size_t>(face - 1) * kMaxLevels]);
+      state.last_level = std::min(state.last_level, last);
     }
   }
   state.needs_lod = sampler.min != sampler.mag || state.last_level > state.first_level ||
@@ -62,6 +76,7 @@ namespace sampling {
 HWY_EXPORT(choose_sample);
 
 static SampleFunction dispatch(const SampleState& state) {
+  select_simd_target();
   return HWY_DYNAMIC_DISPATCH(choose_sample)(state);
 }
 

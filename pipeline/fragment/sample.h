@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "pipeline/fragment/batch.h"
 #include "pipeline/state.h"
 
@@ -12,22 +14,30 @@ struct SampleLevel {
   const uint32_t* texels = nullptr;
   int width = 0, height = 0;
 };
-inline constexpr int kMaxLevels = 15;
+// Levels of all faces of a cube map are numbered as in an Image. A sampling key is twice the number
+// of a level, counted from the first that is used, plus 1 for the magnification filter.
+inline constexpr int kFaceKey = 2 * kMaxLevels;
 
 struct SampleState {
   SampleLevel levels[kMaxLevels];
+  std::vector<SampleLevel> other_faces;  // of a cube map: the levels from that of -x on
   int first_level = 0, last_level = 0;
   Sampler sampler;
   bool needs_lod = false;   // minification and magnification differ, or mipmaps are used, or the
                             // footprint is looked at (anisotropic-inl.h)
   float lod_threshold = 0;  // c: magnification when lod <= c (3.7.8)
+
+  bool is_cube() const { return !other_faces.empty(); }
+  const SampleLevel& level(int number) const {
+    return number < kMaxLevels ? levels[number] : other_faces[number - kMaxLevels];
+  }
 };
 
 SampleState make_sample_state(const TextureUnit& unit);
 
-// Fills batch.texture[unit] from batch.s, batch.t and (if needs_lod) batch.lod, along_s,
-// along_t and probes. Chosen for the
-// sampler once; runs on the SIMD target in use.
+// Fills batch.texture[unit] from batch.s, batch.t, with a cube map batch.face, and (if needs_lod)
+// batch.lod, along_s, along_t and probes. Chosen for the sampler once; runs on the SIMD target in
+// use.
 using SampleFunction = void (*)(const SampleState& state, FragmentBatch& batch, int unit);
 SampleFunction select_sample_function(const SampleState& state);
 

@@ -159,7 +159,9 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
   }
   select_stages(state, coverage, *program);
   static const bool allowed = fused_allowed();
-  if (allowed && !program->antialiased && !target.multisampled) {
+  const bool cube = std::any_of(state.unit.begin(), state.unit.end(),
+                                [](const TextureUnit& unit) { return unit.enabled && unit.cube; });
+  if (allowed && !program->antialiased && !target.multisampled && !cube) {
     program->fused = select_fused(*program);
   }
   return program;

@@ -13,6 +13,7 @@
 #include "pipeline/fragment/alpha_test-inl.h"
 #include "pipeline/fragment/antialias-inl.h"
 #include "pipeline/fragment/chain.h"
+#include "pipeline/fragment/cube-inl.h"
 #include "pipeline/fragment/depth_stencil-inl.h"
 #include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
@@ -53,9 +54,13 @@ inline void interpolate_colour(const StageContext& context, FragmentBatch& batch
 inline void sample_texture(const StageContext& context, FragmentBatch& batch, int unit) {
   const UnitProgram& u = context.program.unit[unit];
   const Plane* planes = context.planes.texture[unit];
-  texture_coordinates(planes, batch);
-  if (u.sample.needs_lod) {
-    level_of_detail(context.planes, planes, u.sample, context.tile, batch);
+  if (u.sample.is_cube()) {
+    cube_coordinates(context.planes, planes, u.sample, context.tile, batch);
+  } else {
+    texture_coordinates(planes, batch);
+    if (u.sample.needs_lod) {
+      level_of_detail(context.planes, planes, u.sample, context.tile, batch);
+    }
   }
   u.sample_function(u.sample, batch, unit);
 }

@@ -48,6 +48,25 @@ HWY_INLINE V length_squared(V x, V y) {
   return hn::Add(hn::Mul(x, x), hn::Mul(y, y));
 }
 
+// rho^2 as a positive normal number; anything else is taken as far magnified.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V positive_number(D d, V rho_squared) {
+  const V least = hn::Set(d, 1e-30f), most = hn::Set(d, 1e30f);
+  return hn::IfThenElse(hn::And(hn::Gt(rho_squared, least), hn::Lt(rho_squared, most)), rho_squared,
+                        least);
+}
+
+// lambda from rho^2.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V half_log2(D d, V rho_squared) {
+  const hn::RebindToSigned<D> di;
+  const auto bits = hn::BitCast(di, rho_squared);
+  const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
+  const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x7fffff)), hn::Set(di, 0x3f800000));
+  const V fraction = hn::Sub(hn::BitCast(d, mantissa), hn::Set(d, 1.0f));
+  return hn::Mul(hn::Set(d, 0.5f), hn::Add(exponent, fraction));
+}
+
 // EXT_texture_filter_anisotropic: N = ceil(Pmax / Pmin), but not more than the sampler allows, nor
 // than the footprint is texels long: more would see nothing new. At least 1.
 template <class D, class V = hn::Vec<D>>
@@ -97,11 +116,7 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
     const V along_y =
         length_squared(hn::Mul(hn::Sub(s2, s0), width), hn::Mul(hn::Sub(t2, t0), height));
     const auto x_is_longer = hn::Gt(along_x, along_y);
-    V rho_squared = hn::IfThenElse(x_is_longer, along_x, along_y);
-    // Keep to positive normal numbers; anything else is taken as far magnified.
-    const V least = hn::Set(d, 1e-30f), most = hn::Set(d, 1e30f);
-    rho_squared = hn::IfThenElse(hn::And(hn::Gt(rho_squared, least), hn::Lt(rho_squared, most)),
-                                 rho_squared, least);
+    V rho_squared = positive_number(d, hn::IfThenElse(x_is_longer, along_x, along_y));
     if (sample.sampler.max_anisotropy > 1) {
       const V shorter = hn::IfThenElse(x_is_longer, along_y, along_x);
       const V probes =
@@ -111,13 +126,9 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
                 batch.along_s + i);
       hn::Store(hn::IfThenElse(x_is_longer, hn::Sub(t1, t0), hn::Sub(t2, t0)), d,
                 batch.along_t + i);
-      rho_squared = hn::Max(hn::Div(rho_squared, hn::Mul(probes, probes)), least);
+      rho_squared = positive_number(d, hn::Div(rho_squared, hn::Mul(probes, probes)));
     }
-    const auto bits = hn::BitCast(di, rho_squared);
-    const V exponent = hn::ConvertTo(d, hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127)));
-    const auto mantissa = hn::Or(hn::And(bits, hn::Set(di, 0x7fffff)), hn::Set(di, 0x3f800000));
-    const V fraction = hn::Sub(hn::BitCast(d, mantissa), one);
-    hn::Store(hn::Mul(hn::Set(d, 0.5f), hn::Add(exponent, fraction)), d, batch.lod + i);
+    hn::Store(half_log2(d, rho_squared), d, batch.lod + i);
   }
 }
 

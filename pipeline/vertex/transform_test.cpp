@@ -97,6 +97,70 @@ TEST(VertexTransform, TextureMatrixOfTheUnitsThatHaveOne) {
   });
 }
 
+// u - 2 n (n . u), for vertices on both sides of w = 0.
+TEST(VertexTransform, ReflectionVectors) {
+  Numbers numbers(37);
+  const auto batch = std::make_unique<VertexBatch>();
+  numbers.fill(batch->eye, 4, -5, 5);
+  numbers.fill(batch->normal, 3, -1, 1);
+  for (int c = 0; c < 3; ++c) batch->eye[c][7] = 0;
+  for_each_target([&](const VertexTestKernels& kernels, const char* name) {
+    kernels.reflection_vector(batch->eye, batch->normal, kVertexBatch, batch->reflection);
+    for (size_t i = 0; i < kVertexBatch; ++i) {
+      double u[3], length = 0, n_dot_u = 0;
+      for (int c = 0; c < 3; ++c) {
+        u[c] = static_cast<double>(batch->eye[c][i]) / batch->eye[3][i];
+        length += u[c] * u[c];
+      }
+      for (int c = 0; c < 3; ++c) {
+        if (length > 0) u[c] /= std::sqrt(length);
+        n_dot_u += u[c] * batch->normal[c][i];
+      }
+      for (int c = 0; c < 3; ++c) {
+        const double exact = u[c] - 2 * batch->normal[c][i] * n_dot_u;
+        ASSERT_NEAR(batch->reflection[c][i], exact, 1e-6) << name << " " << i;
+      }
+    }
+  });
+}
+
+// s, t and r are the vector, q is what was given; the texture matrix comes after it.
+TEST(VertexTransform, GeneratedCoordinates) {
+  Numbers numbers(38);
+  const auto batch = std::make_unique<VertexBatch>();
+  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
+    numbers.fill(batch->attribute[4 + unit], 4, -3, 3);
+  }
+  numbers.fill(batch->normal, 3, -1, 1);
+  numbers.fill(batch->reflection, 3, -1, 1);
+  VertexState state;
+  state.texture_units = 0x1f;
+  state.reflection_map = 0x06;
+  state.normal_map = 0x18;
+  state.texture_matrix = 0x0c;
+  for (Mat4& matrix : state.texture_matrices) matrix = numbers.matrix();
+  for_each_target([&](const VertexTestKernels& kernels, const char* name) {
+    std::memset(batch->texture, 0, sizeof(batch->texture));
+    kernels.transform_texture(state, *batch, kVertexBatch);
+    for (int unit = 1; unit < 5; ++unit) {
+      const Lane* source = unit < 3 ? batch->reflection : batch->normal;
+      const bool has_matrix = unit == 2 || unit == 3;
+      for (int row = 0; row < 4; ++row) {
+        const Lane* q = batch->attribute[4 + unit] + 3;
+        double exact = row < 3 ? source[row][9] : (*q)[9];
+        if (has_matrix) {
+          exact = static_cast<double>(state.texture_matrices[unit].m[12 + row]) * (*q)[9];
+          for (int c = 0; c < 3; ++c) {
+            exact +=
+                static_cast<double>(state.texture_matrices[unit].m[4 * c + row]) * source[c][9];
+          }
+        }
+        ASSERT_NEAR(batch->texture[unit][row][9], exact, 1e-5) << name << " unit " << unit;
+      }
+    }
+  });
+}
+
 TEST(VertexTransform, NormalsAreRescaledOrMadeUnitLength) {
   Numbers numbers(33);
   for (int mode = 0; mode < 4; ++mode) {

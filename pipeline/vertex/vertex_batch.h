@@ -28,7 +28,9 @@ struct alignas(64) VertexBatch {
   Lane colour[4];                      // primary colour, in [0,1]
   Lane back_colour[4];
   Lane window[4];                     // x, y, z, 1/w
-  Lane texture[kMaxTextureUnits][4];  // coordinates after the texture matrix
+  Lane reflection[3];                 // reflection vector, for generated coordinates
+  Lane generated[4];                  // coordinates of one unit, before the texture matrix
+  Lane texture[kMaxTextureUnits][4];  // coordinates as generated, or after the texture matrix
   Lane clip_distance[kMaxClipPlanes];
   // Stored as one group of four per vertex, in the order of the record.
   Lane outcode;  // bits of Outcode in the bits of the float

@@ -22,9 +22,9 @@ bool any_positional_light(const VertexState& state) {
 VertexPlan make_vertex_plan(const DrawCommand& draw, const VertexState& state) {
   VertexPlan plan;
   plan.points = draw.primitive == Primitive::kPoints;
-  plan.normal = state.lighting;
+  plan.normal = state.lighting || (state.reflection_map | state.normal_map) != 0;
   plan.eye_position = state.palette != nullptr || state.clip_planes != 0 ||
-                      (plan.points && state.point_attenuated) ||
+                      state.reflection_map != 0 || (plan.points && state.point_attenuated) ||
                       (state.lighting && any_positional_light(state));
   plan.eye_z = state.fog && !plan.eye_position;
 
@@ -32,7 +32,7 @@ VertexPlan make_vertex_plan(const DrawCommand& draw, const VertexState& state) {
   if (state.palette != nullptr) {
     plan.attributes |= bit(Attribute::kMatrixIndex) | bit(Attribute::kWeight);
   }
-  if (state.lighting) {
+  if (plan.normal) {
     plan.attributes |= bit(Attribute::kNormal);
   }
   if (!state.lighting || state.colour_material) {

@@ -1,7 +1,8 @@
 // The order of the vertex stages, compiled once per SIMD target (2.8 to 2.12).
 //
-// fetch -> transform or skin -> clip tests -> viewport -> texture coordinates -> colour -> points,
-// fog -> records, a batch at a time. SPDX-License-Identifier: MIT
+// fetch -> transform or skin -> clip tests -> viewport -> normals, texture coordinates -> colour ->
+// points, fog -> records, a batch at a time.
+// SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,6 +18,7 @@
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/record-inl.h"
 #include "pipeline/vertex/texcoord-inl.h"
+#include "pipeline/vertex/texgen-inl.h"
 #include "pipeline/vertex/transform-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -76,16 +78,21 @@ void run_batch(const VertexJob& job, const VertexPlan& plan, size_t first, size_
     test_user_planes(state, batch.eye, count, batch.clip_distance, batch.outcode);
   }
 
-  transform_texture_coordinates(state, batch, count);
-
-  const Lane* current = attribute(Attribute::kColour);
-  if (state.lighting) {
+  if (plan.normal) {
     const Lane* normal = attribute(Attribute::kNormal);
     if (state.palette != nullptr) {
       skin_normal(state, skin, normal, count, batch.normal);
     } else {
       transform_normal(state, normal, count, batch.normal);
     }
+  }
+  if (state.reflection_map != 0) {
+    reflection_vector(batch.eye, batch.normal, count, batch.reflection);
+  }
+  transform_texture_coordinates(state, batch, count);
+
+  const Lane* current = attribute(Attribute::kColour);
+  if (state.lighting) {
     light_vertices(state, batch.eye, batch.normal, current, count, batch.colour, batch.back_colour);
   } else {
     clamp_colour(current, count, batch.colour);
@@ -130,7 +137,10 @@ const VertexKernels& current_vertex_kernels() {
 }
 
 void run_vertex_stages(const VertexJob& job) {
-  static const VertexKernels& resolved = current_vertex_kernels();
+  static const VertexKernels& resolved = []() -> const VertexKernels& {
+    select_simd_target();
+    return current_vertex_kernels();
+  }();
   resolved.run(job, make_vertex_plan(*job.draw, *job.state));
 }
 

@@ -15,6 +15,7 @@
 #include "pipeline/vertex/point-inl.h"
 #include "pipeline/vertex/project-inl.h"
 #include "pipeline/vertex/texcoord-inl.h"
+#include "pipeline/vertex/texgen-inl.h"
 #include "pipeline/vertex/transform-inl.h"
 #include "pipeline/vertex/vertex_test_kernels.h"
 
@@ -69,6 +70,9 @@ void skin_normal_all(const VertexState& state, int units, VertexBatch& batch, si
   skin_normal(state, palette_inputs(skinned(units), batch), batch.attribute[1], count,
               batch.normal);
 }
+void reflection_all(const Lane* eye, const Lane* normal, size_t count, Lane* out) {
+  reflection_vector(eye, normal, count, out);
+}
 void texture_all(const VertexState& state, VertexBatch& batch, size_t count) {
   transform_texture_coordinates(state, batch, count);
 }
@@ -95,9 +99,10 @@ void fog_all(const float* eye_z, size_t count, float* fog) { fog_coordinate(eye_
 
 const VertexTestKernels* test_kernels() {
   static constexpr VertexTestKernels kKernels = {
-      &fetch_all, &position_all, &normal_all,  &skin_position_all, &skin_normal_all, &texture_all,
-      &clip_all,  &user_all,     &project_all, &light_all,         &clamp_all,       &point_all,
-      &fog_all,   &log2_all,     &exp2_all,    &power_all};
+      &fetch_all,      &position_all, &normal_all, &skin_position_all, &skin_normal_all,
+      &reflection_all, &texture_all,  &clip_all,   &user_all,          &project_all,
+      &light_all,      &clamp_all,    &point_all,  &fog_all,           &log2_all,
+      &exp2_all,       &power_all};
   return &kKernels;
 }
 

@@ -16,6 +16,7 @@ struct VertexTestKernels {
   // With so many vertex units, the palette of the state.
   void (*skin_position)(const VertexState& state, int units, VertexBatch& batch, size_t count);
   void (*skin_normal)(const VertexState& state, int units, VertexBatch& batch, size_t count);
+  void (*reflection_vector)(const Lane* eye, const Lane* normal, size_t count, Lane* out);
   void (*transform_texture)(const VertexState& state, VertexBatch& batch, size_t count);
   void (*test_clip_volume)(const Lane* clip, const GuardBand& guard, size_t count, float* outcode);
   void (*test_user_planes)(const VertexState& state, const Lane* eye, size_t count, Lane* distance,
