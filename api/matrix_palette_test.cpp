@@ -236,6 +236,38 @@ TEST_F(MatrixPalette, NormalsFollowTheSumOfInverses) {
   EXPECT_GT(between, 50);
 }
 
+// OES_texture_cube_map: the coordinates of NORMAL_MAP are the skinned normal, with no light.
+TEST_F(MatrixPalette, NormalMapsAreSkinned) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_CUBE_MAP_OES, name);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP_OES, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  for (GLenum face = 0; face < 6; ++face) {
+    const uint32_t colour = 0xff000000u | face;
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + face, 0, GL_RGBA, 1, 1, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, &colour);
+  }
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glEnable(GL_TEXTURE_CUBE_MAP_OES);
+  glEnable(GL_TEXTURE_GEN_STR_OES);
+  glTexGeniOES(GL_TEXTURE_GEN_STR_OES, GL_TEXTURE_GEN_MODE_OES, GL_NORMAL_MAP_OES);
+  // Cyclic exchanges of the axes: the normal (0, 0, 1) becomes x, y and z.
+  const Matrix cycles[3] = {{0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1},
+                            {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1},
+                            kIdentity};
+  Vertex v;
+  v.weight[0] = 1;
+  point_at(&v, 1, 1);
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    for (const float sign : {1.0f, -1.0f}) {
+      set_matrix(0, cycles[axis]);
+      v.normal[2] = sign;
+      glDrawArrays(GL_POINTS, 0, 1);
+      EXPECT_EQ(pixel(kSide / 2, kSide / 2), 0xff000000u | (2 * axis + (sign < 0 ? 1 : 0)));
+    }
+  }
+}
+
 // The current matrix of MATRIX_PALETTE_OES is the palette's.
 TEST_F(MatrixPalette, MatrixOperationsGoToThePalette) {
   const auto current = [] {
