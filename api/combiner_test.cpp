@@ -143,6 +143,18 @@ class Combiners : public CallTest {
     expect_colour(pixel(0, 0), expected, what);
   }
 
+  // A texture of a base format that has no more of the colour than it can hold.
+  static void one_texel(GLenum format, const Colour& colour) {
+    const uint32_t bytes = to_bytes(colour);
+    const GLubyte r = bytes & 255, g = bytes >> 8 & 255, b = bytes >> 16 & 255, a = bytes >> 24;
+    const std::vector<GLubyte> data = format == GL_ALPHA ? std::vector<GLubyte>{a}
+                                      : format == GL_LUMINANCE_ALPHA
+                                          ? std::vector<GLubyte>{r, a}
+                                          : std::vector<GLubyte>{r, g, b, a};
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), 1, 1, 0, format, GL_UNSIGNED_BYTE,
+                 data.data());
+  }
+
   static Colour byte_colour(int r, int g, int b, int a) {
     return {r / 255.0, g / 255.0, b / 255.0, a / 255.0};
   }
@@ -278,6 +290,77 @@ TEST_F(Combiners, TheOtherFunctionsWithEveryFormat) {
       expect_colour(pixel(0, 0), expected,
                     std::to_string(format.format) + " " + std::to_string(mode));
     }
+  }
+}
+
+// Table 3.24 of IMG_texture_env_enhanced_fixed_function, row by row: Cv and Av of a base format, as
+// numbers of Cf, Af, Cs, As and Ac.
+TEST_F(Combiners, TheEnvironmentsOfImgWithEveryFormat) {
+  struct Row {
+    GLenum mode, format;
+    double (*colour)(double cf, double af, double cs, double as, double ac);
+    double (*alpha)(double af, double as, double ac);
+  };
+#define COLOUR(value)                                                                    \
+  []([[maybe_unused]] double cf, [[maybe_unused]] double af, [[maybe_unused]] double cs, \
+     [[maybe_unused]] double as, [[maybe_unused]] double ac) -> double { return value; }
+#define ALPHA(value)                                         \
+  []([[maybe_unused]] double af, [[maybe_unused]] double as, \
+     [[maybe_unused]] double ac) -> double { return value; }
+  const Row kRows[] = {
+      {GL_MODULATE_COLOR_IMG, GL_ALPHA, COLOUR(cf), ALPHA(as)},
+      {GL_MODULATE_COLOR_IMG, GL_LUMINANCE, COLOUR(cf * cs), ALPHA(af)},
+      {GL_MODULATE_COLOR_IMG, GL_LUMINANCE_ALPHA, COLOUR(cf * cs), ALPHA(as)},
+      {GL_MODULATE_COLOR_IMG, GL_RGB, COLOUR(cf * cs), ALPHA(af)},
+      {GL_MODULATE_COLOR_IMG, GL_RGBA, COLOUR(cf * cs), ALPHA(as)},
+      {GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_ALPHA, COLOUR(cf), ALPHA((1 - as) + af - 0.5)},
+      {GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_LUMINANCE, COLOUR(cf), ALPHA(af - 0.5)},
+      {GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_LUMINANCE_ALPHA, COLOUR(cf), ALPHA((1 - as) + af - 0.5)},
+      {GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_RGB, COLOUR(cf), ALPHA(af - 0.5)},
+      {GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_RGBA, COLOUR(cf), ALPHA((1 - as) + af - 0.5)},
+      {GL_TEXTURE_ALPHA_MODULATE_IMG, GL_ALPHA, COLOUR(0), ALPHA(as)},
+      {GL_TEXTURE_ALPHA_MODULATE_IMG, GL_LUMINANCE, COLOUR(cs), ALPHA(1)},
+      {GL_TEXTURE_ALPHA_MODULATE_IMG, GL_LUMINANCE_ALPHA, COLOUR(as * cs), ALPHA(as)},
+      {GL_TEXTURE_ALPHA_MODULATE_IMG, GL_RGB, COLOUR(cs), ALPHA(1)},
+      {GL_TEXTURE_ALPHA_MODULATE_IMG, GL_RGBA, COLOUR(as * cs), ALPHA(as)},
+      {GL_FACTOR_ALPHA_MODULATE_IMG, GL_ALPHA, COLOUR(0), ALPHA(ac)},
+      {GL_FACTOR_ALPHA_MODULATE_IMG, GL_LUMINANCE, COLOUR(ac * cs), ALPHA(ac)},
+      {GL_FACTOR_ALPHA_MODULATE_IMG, GL_LUMINANCE_ALPHA, COLOUR(ac * cs), ALPHA(ac)},
+      {GL_FACTOR_ALPHA_MODULATE_IMG, GL_RGB, COLOUR(ac * cs), ALPHA(ac)},
+      {GL_FACTOR_ALPHA_MODULATE_IMG, GL_RGBA, COLOUR(ac * cs), ALPHA(ac)},
+      {GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_ALPHA, COLOUR(0), ALPHA(af)},
+      {GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_LUMINANCE, COLOUR(af * cs), ALPHA(af)},
+      {GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_LUMINANCE_ALPHA, COLOUR(af * cs), ALPHA(af)},
+      {GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_RGB, COLOUR(af * cs), ALPHA(af)},
+      {GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_RGBA, COLOUR(af * cs), ALPHA(af)},
+      {GL_ADD_BLEND_IMG, GL_ALPHA, COLOUR(cf), ALPHA(af * as)},
+      {GL_ADD_BLEND_IMG, GL_LUMINANCE, COLOUR(cf + (1 - af) * cs), ALPHA(af)},
+      {GL_ADD_BLEND_IMG, GL_LUMINANCE_ALPHA, COLOUR(cf + (1 - af) * cs), ALPHA(af * as)},
+      {GL_ADD_BLEND_IMG, GL_RGB, COLOUR(cf + (1 - af) * cs), ALPHA(af)},
+      {GL_ADD_BLEND_IMG, GL_RGBA, COLOUR(cf + (1 - af) * cs), ALPHA(af * as)},
+      {GL_DOT3_RGBA_IMG, GL_RGB, nullptr, nullptr},
+      {GL_DOT3_RGBA_IMG, GL_RGBA, nullptr, nullptr},
+  };
+#undef COLOUR
+#undef ALPHA
+  const Colour cf = source(GL_PREVIOUS);
+  for (const Row& row : kRows) {
+    Colour cs = row.format == GL_LUMINANCE || row.format == GL_LUMINANCE_ALPHA
+                    ? byte_colour(150, 150, 150, 90)
+                    : byte_colour(30, 240, 150, 90);
+    one_texel(row.format, cs);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, static_cast<GLint>(row.mode));
+    draw_quad();
+    Colour expected;
+    double dot = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      dot += 4 * (cf[i] - 0.5) * (cs[i] - 0.5);
+      if (row.colour) expected[i] = row.colour(cf[i], cf[3], cs[i], cs[3], constant_[3]);
+    }
+    if (row.alpha) expected[3] = row.alpha(cf[3], cs[3], constant_[3]);
+    if (!row.colour) expected.fill(dot);
+    expect_colour(pixel(0, 0), expected,
+                  std::to_string(row.mode) + " " + std::to_string(row.format));
   }
 }
 

@@ -27,7 +27,7 @@ Context* create_context(Context* share, ContextFlags flags, SurfaceOwner* owner)
   }
   context->surface_owner = owner;
   context->debug.output = flags.debug;
-  context->no_error = flags.no_error;
+  context->flags = flags;
   pipeline::select_simd_target();
   context->renderer = std::string("clearpipe (") + pipeline::simd_target_name() + ")";
   return context.release();

@@ -14,8 +14,10 @@ struct Context;
 
 // EGL_CONTEXT_OPENGL_DEBUG: debug output is enabled at first (KHR_debug). EGL's no-error attribute:
 // errors are not reported, except for OUT_OF_MEMORY; calls that are wrong still do nothing.
+// `robust_access` and `lose_on_reset` can be asked for (EXT_robustness): every context treats
+// buffers like that, and none is ever reset.
 struct ContextFlags {
-  bool debug = false, no_error = false;
+  bool debug = false, no_error = false, robust_access = false, lose_on_reset = false;
 };
 
 // Whoever owns the surfaces of a context hears of what the context does with them.

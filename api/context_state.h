@@ -20,12 +20,19 @@ struct VertexArrayObject : VertexArrayState {
   std::string label;
 };
 
+// NV_fence: not shared either.
+struct FenceObject {
+  explicit FenceObject(GLuint) {}
+  GLenum condition = GL_ALL_COMPLETED_NV;
+  uint64_t frame = 0;  // on the context's clock, when it was set
+};
+
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
   GLenum error = GL_NO_ERROR;
-  Invalid raised;         // by the call that is running
-  bool no_error = false;  // KHR_no_error: nothing but OUT_OF_MEMORY is reported
+  Invalid raised;  // by the call that is running
+  ContextFlags flags;
   DebugState debug;
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_2D);
@@ -41,10 +48,13 @@ struct Context {
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
   NameTable<VertexArrayObject> vertex_arrays;
+  NameTable<FenceObject> fences;
   VertexArrayState default_vertex_array;  // while another one is bound
   bool was_current = false;
   pipeline::Frame frame;
   pipeline::VertexState vertex_state;
+  pipeline::MatrixPalette palette;  // of vertex_state
+  bool palette_has_normals = false;
   pipeline::RasterState raster_state;
   pipeline::FragmentState fragment_state;
   std::array<uint64_t, kTextureUnits> texture_version{};  // derived from, per unit
@@ -74,7 +84,7 @@ struct Context {
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(const Invalid& wrong) {
-    if (no_error && wrong.error != GL_OUT_OF_MEMORY) return;
+    if (flags.no_error && wrong.error != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = wrong.error;
     raised = wrong;
   }
@@ -91,6 +101,11 @@ bool may_write_in_place(Context& context, const FrameUses& uses, size_t bytes);
 
 MatrixStack& current_stack(Context& context);
 const MatrixStack& current_stack(const Context& context);
+
+// The vertex array of that name (2.8), of CLIENT_ACTIVE_TEXTURE for texture coordinates; null if
+// there is none.
+ArrayState* find_array(ArraysState& arrays, GLenum name);
+const ArrayState* find_array(const ArraysState& arrays, GLenum name);
 
 // The boolean a capability enables (each in its section), with what it makes dirty; null value if
 // the enumerant is none.

@@ -114,6 +114,7 @@ std::string* find_label(Context& c, GLenum identifier, GLuint name) {
   const auto label = [](const auto& object) { return object ? &object->label : nullptr; };
   switch (identifier) {
     case GL_BUFFER_KHR:
+    case GL_BUFFER_OBJECT_EXT:
       return label(c.share->buffers.find(name));
     case GL_TEXTURE:
       return label(c.share->textures.find(name));
@@ -122,6 +123,7 @@ std::string* find_label(Context& c, GLenum identifier, GLuint name) {
     case GL_FRAMEBUFFER_OES:
       return label(c.share->framebuffers.find(name));
     case GL_VERTEX_ARRAY_KHR:
+    case GL_VERTEX_ARRAY_OBJECT_EXT:
       return label(c.vertex_arrays.find(name));
     default:
       return nullptr;  // kinds of objects that OpenGL ES 1.1 does not have

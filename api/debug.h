@@ -68,7 +68,8 @@ struct DebugState {
   uint32_t slow_told = 0;             // on stderr, once each
 };
 
-// The object's label, or null: there is none of that name.
+// The object's label, or null: there is none of that name. Identifiers are those of KHR_debug and
+// of EXT_debug_label.
 std::string* find_label(Context& context, GLenum identifier, GLuint name);
 
 // Takes a message to be delivered at the end of the call, if it is wanted.

@@ -333,6 +333,32 @@ TEST_F(Debug, ObjectsHaveLabels) {
   EXPECT_ERROR(GL_INVALID_VALUE);
 }
 
+// EXT_debug_label: the same labels under the extension's own types.
+TEST_F(Debug, LabelsOfTheExtension) {
+  const GLuint texture = one_colour_texture(kRed);
+  glBindBuffer(GL_ARRAY_BUFFER, 3);
+  char text[16] = "?";
+  GLsizei length = -1;
+  glGetObjectLabelEXT(GL_TEXTURE, texture, sizeof text, &length, text);
+  EXPECT_STREQ(text, "");
+  EXPECT_EQ(length, 0);
+  glLabelObjectEXT(GL_TEXTURE, texture, 0, "sky dome");  // zero: up to the null
+  glGetObjectLabelKHR(GL_TEXTURE, texture, sizeof text, &length, text);
+  EXPECT_STREQ(text, "sky dome");
+  glLabelObjectEXT(GL_BUFFER_OBJECT_EXT, 3, 3, "seabed");
+  glGetObjectLabelEXT(GL_BUFFER_OBJECT_EXT, 3, sizeof text, nullptr, text);
+  EXPECT_STREQ(text, "sea");
+  glGetObjectLabelEXT(GL_TEXTURE, texture, 4, &length, text);
+  EXPECT_STREQ(text, "sky");
+  EXPECT_EQ(length, 3);
+  glGetObjectLabelEXT(GL_TEXTURE, texture, 0, &length, nullptr);
+  EXPECT_EQ(length, 8);
+  glLabelObjectEXT(GL_TEXTURE, texture, 5, nullptr);
+  glGetObjectLabelEXT(GL_TEXTURE, texture, sizeof text, &length, text);
+  EXPECT_EQ(length, 0);
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
 TEST_F(Debug, Pointers) {
   listen();
   void* pointer = nullptr;

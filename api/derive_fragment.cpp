@@ -124,7 +124,15 @@ Combiner derive_combine(const TextureUnitState& s, size_t unit) {
 }
 
 int argument_count(Combine function) {
-  return function == Combine::kReplace ? 1 : function == Combine::kInterpolate ? 3 : 2;
+  switch (function) {
+    case Combine::kReplace:
+      return 1;
+    case Combine::kInterpolate:
+    case Combine::kModulateAdd:
+      return 3;
+    default:
+      return 2;
+  }
 }
 
 // Whether every unit whose texture the combiner uses samples one; else it is as if texture blending
@@ -199,6 +207,66 @@ Combiner derive_classic(GLenum mode, GLenum format, size_t unit) {
     }
   }
   return c;
+}
+
+// The environments of IMG_texture_env_enhanced_fixed_function. Components that the base format
+// lacks are 0 in colours and 1 in alpha here (table 3.14), which is what most of its table comes
+// to.
+Combiner derive_img(GLenum mode, GLenum format, size_t unit) {
+  const CombineArgument texture{at_unit(unit), CombineOperand::kColour};
+  const CombineArgument texture_alpha{at_unit(unit), CombineOperand::kAlpha};
+  const CombineArgument previous{CombineSource::kPrevious, CombineOperand::kColour};
+  const CombineArgument previous_alpha{CombineSource::kPrevious, CombineOperand::kAlpha};
+  const CombineArgument constant_alpha{CombineSource::kConstant, CombineOperand::kAlpha};
+  Combiner c = previous_colour();
+  switch (mode) {
+    case GL_MODULATE_COLOR_IMG:  // Cf Cs; the alpha is the texture's
+      if (format != GL_ALPHA) {
+        c.rgb = Combine::kModulate;
+        c.rgb_argument = {previous, texture, previous};
+      }
+      if (format != GL_LUMINANCE && format != GL_RGB) c.alpha_argument[0] = texture_alpha;
+      return c;
+    case GL_RECIP_ADD_SIGNED_ALPHA_IMG:  // the colour is kept; (1 - As) + Af - 1/2
+      c.alpha = Combine::kAddSigned;
+      c.alpha_argument = {CombineArgument{at_unit(unit), CombineOperand::kOneMinusAlpha},
+                          previous_alpha, previous_alpha};
+      return c;
+    case GL_TEXTURE_ALPHA_MODULATE_IMG:  // As Cs, As
+      c.rgb_argument = {texture, texture_alpha, texture};
+      c.alpha_argument[0] = texture_alpha;
+      break;
+    case GL_FACTOR_ALPHA_MODULATE_IMG:  // Ac Cs, Ac
+      c.rgb_argument = {texture, constant_alpha, texture};
+      c.alpha_argument[0] = constant_alpha;
+      break;
+    case GL_FRAGMENT_ALPHA_MODULATE_IMG:  // Af Cs, Af
+      c.rgb_argument = {texture, previous_alpha, texture};
+      break;
+    case GL_ADD_BLEND_IMG:  // Cf + (1 - Af) Cs, Af As
+      c.rgb = Combine::kModulateAdd;
+      c.rgb_argument = {texture, previous,
+                        CombineArgument{CombineSource::kPrevious, CombineOperand::kOneMinusAlpha}};
+      c.alpha = Combine::kModulate;
+      c.alpha_argument = {previous_alpha, texture_alpha, previous_alpha};
+      return c;
+    default:  // DOT3_RGBA_IMG
+      c.rgb = Combine::kDot3Rgba;
+      c.rgb_argument = {previous, texture, previous};
+      return c;
+  }
+  c.rgb = Combine::kModulate;
+  return c;
+}
+
+bool is_img(GLenum mode) {
+  return (mode >= GL_MODULATE_COLOR_IMG && mode <= GL_ADD_BLEND_IMG) || mode == GL_DOT3_RGBA_IMG;
+}
+
+Combiner derive_environment(const TextureUnitState& s, GLenum format, size_t unit) {
+  if (s.env_mode == GL_COMBINE) return derive_combine(s, unit);
+  return is_img(s.env_mode) ? derive_img(s.env_mode, format, unit)
+                            : derive_classic(s.env_mode, format, unit);
 }
 
 StencilOp stencil_op(GLenum op) {
@@ -322,9 +390,7 @@ void derive_fragment(Context& context) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }
     unit.sampler = derive_sampler(texture, from.lod_bias);
-    unit.combiner = from.env_mode == GL_COMBINE
-                        ? derive_combine(from, u)
-                        : derive_classic(from.env_mode, texture.level[0].format, u);
+    unit.combiner = derive_environment(from, texture.level[0].format, u);
     if (!has_its_textures(unit.combiner, f.unit)) unit.combiner = previous_colour();
     unit.constant = from.env_colour;
   }

@@ -1,6 +1,7 @@
 // Raster state from GL state: viewport, scissor, culling, offset, points and lines.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "api/context_state.h"
 
@@ -40,6 +41,8 @@ void derive_raster(Context& context) {
   r.offset_fill = s.raster.offset_fill;
   r.offset_factor = s.raster.offset_factor;
   r.offset_units = s.raster.offset_units;
+  // Not clamped where the clamp is no number (EXT_polygon_offset_clamp).
+  r.offset_clamp = std::isfinite(s.raster.offset_clamp) ? s.raster.offset_clamp : 0;
   r.line_width = std::clamp(s.raster.line_width, 1.0f, kMaxLineWidth);
   r.line_smooth = s.raster.line_smooth;
   r.point_smooth = s.raster.point_smooth;

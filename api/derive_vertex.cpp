@@ -64,6 +64,29 @@ void derive_texture_coordinates(const State& s, pipeline::VertexState& v) {
   }
 }
 
+// The normal matrix is the transpose of the inverse (2.10.3).
+void store_normal_matrix(const Mat4& inverse, float* out) {
+  for (size_t col = 0; col < 3; ++col) {
+    for (size_t row = 0; row < 3; ++row) out[3 * col + row] = inverse.m[4 * row + col];
+  }
+}
+
+// OES_matrix_palette. Few of the matrices change from draw to draw.
+void derive_palette(Context& context, bool normals) {
+  pipeline::MatrixPalette& palette = context.palette;
+  const bool all_normals = normals && !context.palette_has_normals;
+  for (size_t i = 0; i < kPaletteMatrices; ++i) {
+    const Mat4& matrix = context.state.transform.palette[i].top();
+    float* derived = palette.matrix.data() + 16 * i;
+    const bool changed = !std::equal(matrix.m.begin(), matrix.m.end(), derived);
+    if (changed) std::copy(matrix.m.begin(), matrix.m.end(), derived);
+    if (all_normals || (normals && changed)) {
+      store_normal_matrix(invert(matrix), palette.normal_matrix.data() + 9 * i);
+    }
+  }
+  context.palette_has_normals = normals;
+}
+
 }  // namespace
 
 void derive_vertex(Context& context) {
@@ -71,17 +94,19 @@ void derive_vertex(Context& context) {
   pipeline::VertexState& v = context.vertex_state;
   v.model_view = s.transform.modelview.top();
   v.model_view_projection = multiply(s.transform.projection.top(), v.model_view);
-
   derive_texture_coordinates(s, v);
   v.lighting = s.lighting.enabled;
-  if (v.lighting || (v.reflection_map | v.normal_map) != 0) {
-    // The normal matrix is the transpose of the inverse; RESCALE_NORMAL uses the inverse's third
-    // row (2.10.3).
+  const bool normals = v.lighting || (v.reflection_map | v.normal_map) != 0;
+  v.palette = nullptr;
+  if (s.transform.matrix_palette) {
+    derive_palette(context, normals);
+    v.palette = &context.palette;
+    v.projection = s.transform.projection.top();
+  }
+  if (normals) {
+    // RESCALE_NORMAL uses the inverse's third row (2.10.3).
     const Mat4 inverse = invert(v.model_view);
-    for (size_t col = 0; col < 3; ++col) {
-      for (size_t row = 0; row < 3; ++row)
-        v.normal_matrix[3 * col + row] = inverse.m[4 * row + col];
-    }
+    store_normal_matrix(inverse, v.normal_matrix.data());
     const float f =
         inverse.m[2] * inverse.m[2] + inverse.m[6] * inverse.m[6] + inverse.m[10] * inverse.m[10];
     v.rescale = f > 1e-12f ? 1.0f / std::sqrt(f) : 1.0f;

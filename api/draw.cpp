@@ -53,6 +53,19 @@ void note_texture_uses(Context& c) {
   }
 }
 
+int64_t read_row_bytes(const Context& c, GLsizei width, GLenum format, GLenum type) {
+  const int64_t alignment = c.state.misc.pack_alignment;
+  const int64_t bytes = static_cast<int64_t>(read_bytes(format, type)) * width;
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+int64_t bytes_read(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type) {
+  if (width == 0 || height == 0) return 0;
+  const int64_t row = read_row_bytes(c, width, format, type);
+  if (row > INT64_MAX / height) return INT64_MAX;
+  return row * (height - 1) + static_cast<int64_t>(read_bytes(format, type)) * width;
+}
+
 }  // namespace clearpipe::api
 
 namespace clearpipe::api::exec {
@@ -104,6 +117,16 @@ bool bind_array(const ArrayState& array, bool normalized, AttributeSource& sourc
   return true;
 }
 
+// OES_matrix_palette: nothing is drawn without both.
+bool bind_palette_arrays(const ArraysState& a, pipeline::DrawCommand& command) {
+  using pipeline::Attribute;
+  const auto bind = [&command](Attribute attribute, const ArrayState& array) {
+    return array.enabled && array.size > 0 &&
+           bind_array(array, false, command.attributes[static_cast<size_t>(attribute)]);
+  };
+  return bind(Attribute::kMatrixIndex, a.matrix_index) && bind(Attribute::kWeight, a.weight);
+}
+
 bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   const ArraysState& a = c.state.arrays;
   const CurrentState& current = c.state.current;
@@ -119,6 +142,7 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
       !bind(2, a.colour, true, current.colour) || !bind(3, a.point_size, false, {size, 0, 0, 1})) {
     return false;
   }
+  if (c.state.transform.matrix_palette && !bind_palette_arrays(a, command)) return false;
   for (size_t u = 0; u < kTextureUnits; ++u) {
     if (!bind(4 + u, a.tex_coord[u], false, current.tex_coord[u])) {
       // An array nobody samples with does not matter.
@@ -133,11 +157,9 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
   note_texture_uses(c);
   const ArraysState& a = c.state.arrays;
-  auto note = [&c](const ArrayState& array) {
+  visit_arrays(a, [&c](const ArrayState& array) {
     if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
-  };
-  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) note(*array);
-  for (const ArrayState& array : a.tex_coord) note(array);
+  });
   if (command.index_buffer) a.element_array_buffer->uses.note(c.clock);
 }
 
@@ -232,14 +254,18 @@ void clear(Context& c, GLbitfield mask) {
   if (!c.frame.clear(command)) c.set_error(kOutOfMemory);
 }
 
+void read_n_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                   GLenum type, GLsizei, void* data) {
+  read_pixels(c, x, y, width, height, format, type, data);
+}
+
 void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels) {
   c.finish_frame(Slow::kWaits);
   update_targets(c);
   const pipeline::ColourBuffer& from = *c.read.colour;
-  const int64_t alignment = c.state.misc.pack_alignment;
   const int64_t bytes = static_cast<int64_t>(read_bytes(format, type));
-  const int64_t row_bytes = (bytes * width + alignment - 1) / alignment * alignment;
+  const int64_t row_bytes = read_row_bytes(c, width, format, type);
   const int64_t x0 = std::max<int64_t>(x, 0),
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;

@@ -1,5 +1,6 @@
-// Errors of the other extensions: EGL images, draw_texture, multi_draw_arrays, debug output,
-// texture parameters and compressed formats. SPDX-License-Identifier: MIT
+// Errors of the other extensions: draw_texture, multi_draw_arrays, debug output and labels, fences,
+// robustness, EGL images, texture parameters and compressed formats.
+// SPDX-License-Identifier: MIT
 #include "api/context.h"
 #include "api/error_cases.h"
 #include "api/texture_tokens.h"
@@ -153,6 +154,62 @@ TEST_F(ExtensionErrors, DebugOutput) {
   const ErrorCase kFull[] = {
       REFUSED(GL_STACK_OVERFLOW, glPushDebugGroupKHR(GL_DEBUG_SOURCE_APPLICATION_KHR, 0, 1, text))};
   expect_refused(kFull);
+}
+
+TEST_F(ExtensionErrors, Labels) {
+  static GLsizei length = 7;
+  static char text[] = "?";
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_ENUM, glLabelObjectEXT(GL_BUFFER_KHR, 1, 1, text)),
+      REFUSED(GL_INVALID_OPERATION, glLabelObjectEXT(GL_TEXTURE, 77, 1, text)),
+      REFUSED(GL_INVALID_OPERATION, glLabelObjectEXT(GL_VERTEX_ARRAY_OBJECT_EXT, 1, 1, text)),
+      REFUSED(GL_INVALID_VALUE, glLabelObjectEXT(GL_TEXTURE, 1, -1, text)),
+      REFUSED(GL_INVALID_ENUM, glGetObjectLabelEXT(k2D, 1, 1, &length, text)),
+      REFUSED(GL_INVALID_OPERATION, glGetObjectLabelEXT(GL_TEXTURE, 77, 1, &length, text)),
+      REFUSED(GL_INVALID_VALUE, glGetObjectLabelEXT(GL_TEXTURE, 1, -1, &length, text)),
+  };
+  expect_refused(kCases);
+  EXPECT_STREQ(text, "?");
+  EXPECT_EQ(length, 7);
+}
+
+TEST_F(ExtensionErrors, Fences) {
+  static GLint status = 7;
+  glSetFenceNV(1, GL_ALL_COMPLETED_NV);
+  const ErrorCase kCases[] = {
+    REFUSED(GL_INVALID_VALUE, GLuint n = 0; glGenFencesNV(-1, &n)),
+    REFUSED(GL_INVALID_VALUE, GLuint n = 1; glDeleteFencesNV(-1, &n)),
+    REFUSED(GL_INVALID_ENUM, glSetFenceNV(2, GL_FENCE_STATUS_NV)),
+    REFUSED(GL_INVALID_OPERATION, EXPECT_TRUE(glTestFenceNV(2))),  // TRUE, as the text says
+    REFUSED(GL_INVALID_OPERATION, glFinishFenceNV(2)),
+    REFUSED(GL_INVALID_OPERATION, glGetFenceivNV(2, GL_FENCE_STATUS_NV, &status)),
+    REFUSED(GL_INVALID_ENUM, glGetFenceivNV(1, GL_ALL_COMPLETED_NV, &status)),
+  };
+  expect_refused(kCases);
+  EXPECT_TRUE(glIsFenceNV(1));
+  EXPECT_FALSE(glIsFenceNV(2));
+  EXPECT_EQ(status, 7);
+}
+
+TEST_F(ExtensionErrors, Robustness) {
+  const auto read = [](GLsizei width, GLenum format, GLenum type, GLsizei size, void* data) {
+    glReadnPixelsEXT(0, 0, width, 1, format, type, size, data);
+  };
+  static const auto read_n = read;
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_VALUE, read_n(-1, GL_RGBA, GL_UNSIGNED_BYTE, 64, x)),
+      REFUSED(GL_INVALID_ENUM, read_n(1, GL_FLOAT, GL_UNSIGNED_BYTE, 64, x)),
+      REFUSED(GL_INVALID_ENUM, read_n(1, GL_RGBA, GL_FLOAT, 64, x)),
+      REFUSED(GL_INVALID_OPERATION, read_n(1, GL_RGB, GL_UNSIGNED_BYTE, 64, x)),
+      REFUSED(GL_INVALID_OPERATION, read_n(4, GL_RGBA, GL_UNSIGNED_BYTE, 15, x)),
+      REFUSED(GL_INVALID_OPERATION, read_n(4, GL_RGBA, GL_UNSIGNED_BYTE, -1, x)),
+      REFUSED(GL_INVALID_OPERATION,
+              glReadnPixelsEXT(0, 0, INT32_MAX, INT32_MAX, GL_RGBA, GL_UNSIGNED_BYTE, 64, x)),
+      REFUSED(GL_INVALID_VALUE, read_n(4, GL_RGBA, GL_UNSIGNED_BYTE, 16, nullptr)),
+      REFUSED(GL_INVALID_VALUE, glGetnUniformfvEXT(1, 0, 64, f)),
+      REFUSED(GL_INVALID_VALUE, glGetnUniformivEXT(1, 0, 64, x)),
+  };
+  expect_refused(kCases);
 }
 
 TEST_F(ExtensionErrors, TextureParameters) {

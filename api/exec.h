@@ -9,6 +9,8 @@ namespace clearpipe::api::exec {
 
 // exec_state.cpp
 GLenum get_error(Context&);
+// Nothing resets a context (EXT_robustness).
+inline GLenum graphics_reset_status(Context&) { return GL_NO_ERROR; }
 void finish_all(Context&);
 void flush_all(Context&);
 void hint(Context&, GLenum target, GLenum mode);
@@ -22,6 +24,7 @@ void line_width(Context&, float width);
 void cull_face(Context&, GLenum mode);
 void front_face(Context&, GLenum mode);
 void polygon_offset(Context&, float factor, float units);
+void polygon_offset_clamp(Context&, float factor, float units, float clamp);
 void sample_coverage(Context&, float value, GLboolean invert);
 void pixel_store(Context&, GLenum pname, GLint param);
 void fog(Context&, GLenum pname, const Params&);
@@ -45,6 +48,8 @@ void matrix_mode(Context&, GLenum mode);
 void load_identity(Context&);
 void load_matrix(Context&, const Params&);
 void mult_matrix(Context&, const Params&);
+void current_palette_matrix(Context&, GLuint index);
+void load_palette_from_model_view_matrix(Context&);
 void push_matrix(Context&);
 void pop_matrix(Context&);
 void rotate_matrix(Context&, float angle, float x, float y, float z);
@@ -67,6 +72,8 @@ void color_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void
 void normal_pointer(Context&, GLenum type, GLsizei stride, const void* pointer);
 void tex_coord_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void point_size_pointer(Context&, GLenum type, GLsizei stride, const void* pointer);
+void matrix_index_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
+void weight_pointer(Context&, GLint size, GLenum type, GLsizei stride, const void* pointer);
 void bind_buffer(Context&, GLenum target, GLuint buffer);
 void gen_buffers(Context&, GLsizei n, GLuint* names);
 void delete_buffers(Context&, GLsizei n, const GLuint* names);
@@ -137,6 +144,8 @@ void egl_image_target_renderbuffer(Context&, GLenum target, const void* image);
 void clear(Context&, GLbitfield mask);
 void read_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, void* pixels);
+void read_n_pixels(Context&, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                   GLenum type, GLsizei size, void* data);
 void draw_arrays(Context&, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context&, GLenum mode, GLsizei count, GLenum type, const void* indices);
 void multi_draw_arrays(Context&, GLenum mode, const GLint* first, const GLsizei* count, GLsizei n);
@@ -157,12 +166,22 @@ void pop_debug_group(Context&);
 void object_label(Context&, GLenum identifier, GLuint name, GLsizei length, const char* label);
 void get_object_label(Context&, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
                       char* label);
-// The validator accepts no pointer.
+void label_object(Context&, GLenum type, GLuint name, GLsizei length, const char* label);
+// The validators accept no pointer, and no program.
 inline void set_sync_label(Context&, const void*, GLsizei, const char*) {}
 inline void get_sync_label(Context&, const void*, GLsizei, GLsizei*, char*) {}
 void insert_event_marker(Context&, GLsizei length, const char* marker);
 void push_group_marker(Context&, GLsizei length, const char* marker);
 void pop_group_marker(Context&);
+inline void get_uniform(Context&, GLuint, GLint, GLsizei, const void*) {}
+// exec_fence.cpp
+void gen_fences(Context&, GLsizei n, GLuint* names);
+void delete_fences(Context&, GLsizei n, const GLuint* names);
+GLboolean is_fence(Context&, GLuint name);
+void set_fence(Context&, GLuint name, GLenum condition);
+GLboolean test_fence(Context&, GLuint name);
+void finish_fence(Context&, GLuint name);
+void get_fence(Context&, GLuint name, GLenum pname, GLint* params);
 // queries.cpp
 void get(Context&, GLenum pname, const Out&);
 const GLubyte* get_string(Context&, GLenum name);

@@ -4,29 +4,42 @@
 
 #include "api/exec.h"
 
+namespace clearpipe::api {
+
+const ArrayState* find_array(const ArraysState& a, GLenum name) {
+  switch (name) {
+    case GL_VERTEX_ARRAY:
+      return &a.vertex;
+    case GL_NORMAL_ARRAY:
+      return &a.normal;
+    case GL_COLOR_ARRAY:
+      return &a.colour;
+    case GL_POINT_SIZE_ARRAY_OES:
+      return &a.point_size;
+    case GL_TEXTURE_COORD_ARRAY:
+      return &a.tex_coord[static_cast<size_t>(a.client_active_texture)];
+    case GL_MATRIX_INDEX_ARRAY_OES:
+      return &a.matrix_index;
+    case GL_WEIGHT_ARRAY_OES:
+      return &a.weight;
+    default:
+      return nullptr;
+  }
+}
+
+ArrayState* find_array(ArraysState& a, GLenum name) {
+  return const_cast<ArrayState*>(find_array(static_cast<const ArraysState&>(a), name));
+}
+
+}  // namespace clearpipe::api
+
 namespace clearpipe::api::exec {
 
 namespace {
 
-ArrayState& array_of(Context& c, GLenum array) {
-  ArraysState& a = c.state.arrays;
-  switch (array) {
-    case GL_VERTEX_ARRAY:
-      return a.vertex;
-    case GL_NORMAL_ARRAY:
-      return a.normal;
-    case GL_COLOR_ARRAY:
-      return a.colour;
-    case GL_POINT_SIZE_ARRAY_OES:
-      return a.point_size;
-    default:
-      return a.tex_coord[static_cast<size_t>(a.client_active_texture)];
-  }
-}
-
 void set_pointer(Context& c, GLenum which, GLint size, GLenum type, GLsizei stride,
                  const void* pointer) {
-  ArrayState& a = array_of(c, which);
+  ArrayState& a = *find_array(c.state.arrays, which);
   a.size = size;
   a.type = type;
   a.stride = stride;
@@ -45,7 +58,9 @@ void client_active_texture(Context& c, GLenum texture) {
   c.state.arrays.client_active_texture = static_cast<GLint>(texture - GL_TEXTURE0);
 }
 
-void client_state(Context& c, GLenum array, bool value) { array_of(c, array).enabled = value; }
+void client_state(Context& c, GLenum array, bool value) {
+  find_array(c.state.arrays, array)->enabled = value;
+}
 
 void vertex_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   set_pointer(c, GL_VERTEX_ARRAY, size, type, stride, pointer);
@@ -67,6 +82,15 @@ void point_size_pointer(Context& c, GLenum type, GLsizei stride, const void* poi
   set_pointer(c, GL_POINT_SIZE_ARRAY_OES, 1, type, stride, pointer);
 }
 
+void matrix_index_pointer(Context& c, GLint size, GLenum type, GLsizei stride,
+                          const void* pointer) {
+  set_pointer(c, GL_MATRIX_INDEX_ARRAY_OES, size, type, stride, pointer);
+}
+
+void weight_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+  set_pointer(c, GL_WEIGHT_ARRAY_OES, size, type, stride, pointer);
+}
+
 void bind_buffer(Context& c, GLenum target, GLuint name) {
   binding(c, target) = name == 0 ? nullptr : c.share->buffers.bind(name);
 }
@@ -85,13 +109,11 @@ void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
     if (a.array_buffer == buffer) a.array_buffer = nullptr;
     if (a.element_array_buffer == buffer) a.element_array_buffer = nullptr;
     // Arrays that lie in the buffer become arrays at address zero: nothing is drawn from them.
-    auto unbind = [&buffer](ArrayState& array) {
+    visit_arrays(a, [&buffer](ArrayState& array) {
       if (array.buffer != buffer) return;
       array.buffer = nullptr;
       array.pointer = nullptr;
-    };
-    for (ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) unbind(*array);
-    for (ArrayState& array : a.tex_coord) unbind(array);
+    });
   }
 }
 

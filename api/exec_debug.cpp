@@ -1,4 +1,5 @@
-// Debug output (KHR_debug) and markers (EXT_debug_marker), which are messages of the application.
+// Debug output (KHR_debug), labels (EXT_debug_label), and markers (EXT_debug_marker), which are
+// messages of the application.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
@@ -15,7 +16,7 @@ std::string text_of(GLsizei length, const char* text) {
   return length < 0 ? std::string(text) : std::string(text, static_cast<size_t>(length));
 }
 
-// Of a marker, a length of zero means that too.
+// Of a marker, and of EXT_debug_label, a length of zero means that too.
 std::string marker_text(GLsizei length, const char* marker) {
   return text_of(length <= 0 ? -1 : length, marker);
 }
@@ -100,6 +101,10 @@ void get_object_label(Context& c, GLenum identifier, GLuint name, GLsizei size, 
     }
   }
   if (length) *length = static_cast<GLsizei>(characters);
+}
+
+void label_object(Context& c, GLenum type, GLuint name, GLsizei length, const char* label) {
+  *find_label(c, type, name) = marker_text(length, label);
 }
 
 // Markers and their groups show in debug output as those of KHR_debug do; their stack is their own.

@@ -18,6 +18,8 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.transform.normalize, kDirtyVertex};
     case GL_RESCALE_NORMAL:
       return {&s.transform.rescale_normal, kDirtyVertex};
+    case GL_MATRIX_PALETTE_OES:
+      return {&s.transform.matrix_palette, kDirtyVertex};
     case GL_FOG:
       return {&s.fog.enabled, kDirtyTexture};
     case GL_LIGHTING:
@@ -181,8 +183,13 @@ void front_face(Context& c, GLenum mode) {
 }
 
 void polygon_offset(Context& c, float factor, float units) {
+  polygon_offset_clamp(c, factor, units, 0);
+}
+
+void polygon_offset_clamp(Context& c, float factor, float units, float clamp) {
   c.state.raster.offset_factor = factor;
   c.state.raster.offset_units = units;
+  c.state.raster.offset_clamp = clamp;
   c.dirty |= kDirtyRaster;
 }
 

@@ -14,6 +14,8 @@ const MatrixStack& current_stack(const Context& c) {
       return t.modelview;
     case GL_PROJECTION:
       return t.projection;
+    case GL_MATRIX_PALETTE_OES:
+      return t.palette[t.current_palette_matrix];
     default:
       return t.texture[static_cast<size_t>(c.state.texture.active)];
   }
@@ -45,6 +47,16 @@ Mat4& changed_top(Context& c) {
 }  // namespace
 
 void matrix_mode(Context& c, GLenum mode) { c.state.transform.matrix_mode = mode; }
+
+void current_palette_matrix(Context& c, GLuint index) {
+  c.state.transform.current_palette_matrix = index;
+}
+
+void load_palette_from_model_view_matrix(Context& c) {
+  TransformState& t = c.state.transform;
+  t.palette[t.current_palette_matrix].top() = t.modelview.top();
+  c.dirty |= kDirtyVertex;
+}
 
 void load_identity(Context& c) { changed_top(c) = {}; }
 

@@ -1,8 +1,10 @@
 // The extension string, and extensions that add a name or an enumerant to a command of the core:
-// OES_fixed_point, OES_single_precision, EXT_blend_minmax, OES_required_internalformat,
+// OES_fixed_point, OES_single_precision, IMG_user_clip_plane, EXT_polygon_offset_clamp,
+// EXT_blend_minmax, OES_required_internalformat,
 // EXT_texture_format_BGRA8888 (with texture_test.cpp), EXT_read_format_bgra.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -48,6 +50,67 @@ TEST_F(Extensions, SinglePrecisionCommandsHaveTheirSuffixedNames) {
   glGetFloatv(GL_DEPTH_RANGE, range);
   EXPECT_EQ(range[0], 0.25f);
   EXPECT_EQ(range[1], 0.5f);
+}
+
+TEST_F(Extensions, ClipPlanesHaveTheNamesOfImg) {
+  const GLfixed right[] = {0x10000, 0, 0, 0};
+  const GLfloat upper[] = {0, 1, 0, 0};
+  address<decltype(&glClipPlanex)>("glClipPlanexIMG")(GL_CLIP_PLANE0_IMG, right);
+  address<decltype(&glClipPlanef)>("glClipPlanefIMG")(GL_CLIP_PLANE5_IMG, upper);
+  glEnable(GL_CLIP_PLANE0_IMG);
+  glEnable(GL_CLIP_PLANE5_IMG);
+  draw_quad();
+  EXPECT_EQ(pixel(12, 12), kWhite);
+  EXPECT_EQ(pixel(4, 12), 0u);
+  EXPECT_EQ(pixel(12, 4), 0u);
+  GLint planes = 0;
+  glGetIntegerv(GL_MAX_CLIP_PLANES_IMG, &planes);
+  EXPECT_GE(planes, 6);
+}
+
+// EXT_polygon_offset_clamp: min(o, clamp) if it is positive, max(o, clamp) if it is negative. The
+// quad faces the eye, so that o = r * units, with r = 1 / (2^24 - 1).
+TEST_F(Extensions, PolygonOffsetIsClamped) {
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  const auto depth_with = [](GLfloat units, GLfloat clamp) {
+    glDepthFunc(GL_ALWAYS);
+    glPolygonOffsetClampEXT(0, units, clamp);
+    draw_quad();
+    // The depth of a later quad without an offset is found by halving.
+    glPolygonOffset(0, 0);
+    glDepthFunc(GL_LESS);
+    double low = 0, high = 1;
+    for (int i = 0; i < 16; ++i) {
+      const double middle = (low + high) / 2;
+      glDepthMask(GL_FALSE);
+      glClear(GL_COLOR_BUFFER_BIT);
+      glDepthRangef(static_cast<GLfloat>(middle), static_cast<GLfloat>(middle));
+      draw_quad();
+      (pixel(4, 4) == kWhite ? low : high) = middle;
+    }
+    glDepthMask(GL_TRUE);
+    glDepthRangef(0, 1);
+    return low;
+  };
+  constexpr GLfloat kUnits = 16777215.0f / 4;  // a quarter
+  const GLfloat kNone = std::numeric_limits<GLfloat>::quiet_NaN(),
+                kInfinite = std::numeric_limits<GLfloat>::infinity();
+  const struct {
+    GLfloat units, clamp;
+    double offset;
+  } kCases[] = {{kUnits, 0, 0.25},         {kUnits, 0.125f, 0.125},   {kUnits, 0.5f, 0.25},
+                {kUnits, -0.125f, 0.25},   {-kUnits, 0, -0.25},       {-kUnits, -0.125f, -0.125},
+                {-kUnits, -0.5f, -0.25},   {-kUnits, 0.125f, -0.25},  {kUnits, kNone, 0.25},
+                {kUnits, kInfinite, 0.25}, {kUnits, -kInfinite, 0.25}};
+  for (const auto& c : kCases) {
+    EXPECT_NEAR(depth_with(c.units, c.clamp), 0.5 + c.offset, 1e-4) << c.units << " " << c.clamp;
+  }
+  GLfloat clamp = 1;
+  glPolygonOffsetClampEXT(1, 2, 3);
+  glPolygonOffset(1, 2);  // the same with a clamp of zero
+  glGetFloatv(GL_POLYGON_OFFSET_CLAMP_EXT, &clamp);
+  EXPECT_EQ(clamp, 0.0f);
 }
 
 // MIN and MAX take the components as they are; factors do not count.

@@ -1,5 +1,5 @@
-// The enumerants of KHR_debug that the system's GLES/glext.h lacks: it names the extension only.
-// SPDX-License-Identifier: MIT
+// The enumerants of KHR_debug and EXT_debug_label that the system's GLES/glext.h lacks: it names
+// one and does not know the other. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <GLES/gl.h>
@@ -38,4 +38,8 @@
 #define GL_DEBUG_SEVERITY_MEDIUM_KHR 0x9147
 #define GL_DEBUG_SEVERITY_LOW_KHR 0x9148
 #define GL_DEBUG_OUTPUT_KHR 0x92E0
+#endif
+#ifndef GL_BUFFER_OBJECT_EXT
+#define GL_BUFFER_OBJECT_EXT 0x9151
+#define GL_VERTEX_ARRAY_OBJECT_EXT 0x9154
 #endif

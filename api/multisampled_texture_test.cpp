@@ -244,6 +244,31 @@ TEST_F(MultisampledTexture, AnyLevelHasSamples) {
   EXPECT_TRUE(found.count(0xff404040u) && found.count(0xffbfbfbfu));
 }
 
+TEST_F(MultisampledTexture, FacesOfCubeMapsHaveSamples) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_CUBE_MAP_OES, name);
+  const auto black = texels(0xff000000u, kSize);
+  for (GLenum face = 0; face < 6; ++face) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + face, 0, GL_RGBA, kSize, kSize, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, black.data());
+  }
+  const auto attach_face = [name](GLenum face) {
+    glFramebufferTexture2DMultisampleEXT(kFb, kColourPoint, face, name, 0, 4);
+  };
+  attach_face(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y_OES);
+  add_colours();
+  draw_slanted(false);
+  const Picture half = read();
+  EXPECT_EQ(colours(half), kSteps);
+  attach_face(GL_TEXTURE_CUBE_MAP_POSITIVE_Z_OES);
+  EXPECT_EQ(colours(read()), (std::set<uint32_t>{0xff000000u}));
+  attach_face(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y_OES);
+  EXPECT_EQ(attached(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT), 4);
+  EXPECT_EQ(read(), half);
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
 TEST_F(MultisampledTexture, DeletionWhileAttached) {
   attach();
   draw_slanted();

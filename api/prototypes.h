@@ -7,6 +7,7 @@
 #include <GLES/glext.h>
 
 #include "api/khr_debug.h"
+#include "api/raster_tokens.h"
 
 #define CALL(type, name, parameters, ...) extern "C" type GL_APIENTRY gl##name parameters;
 #include "api/gles1.def"

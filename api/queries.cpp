@@ -10,6 +10,7 @@
 #include "api/compressed_format.h"
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/raster_tokens.h"
 #include "api/texture_target.h"
 #include "api/validate.h"
 
@@ -59,6 +60,28 @@ const Mat4* matrix_of(const State& s, size_t active, GLenum pname) {
   }
 }
 
+// The array that a name of GetPointerv belongs to; 0 if it is none.
+GLenum array_of_pointer(GLenum pname) {
+  switch (pname) {
+    case GL_VERTEX_ARRAY_POINTER:
+      return GL_VERTEX_ARRAY;
+    case GL_NORMAL_ARRAY_POINTER:
+      return GL_NORMAL_ARRAY;
+    case GL_COLOR_ARRAY_POINTER:
+      return GL_COLOR_ARRAY;
+    case GL_TEXTURE_COORD_ARRAY_POINTER:
+      return GL_TEXTURE_COORD_ARRAY;
+    case GL_POINT_SIZE_ARRAY_POINTER_OES:
+      return GL_POINT_SIZE_ARRAY_OES;
+    case GL_MATRIX_INDEX_ARRAY_POINTER_OES:
+      return GL_MATRIX_INDEX_ARRAY_OES;
+    case GL_WEIGHT_ARRAY_POINTER_OES:
+      return GL_WEIGHT_ARRAY_OES;
+    default:
+      return 0;
+  }
+}
+
 // Writes the value of `pname`; false if there is none. `out` may be null, to ask only.
 bool query(const Context& c, GLenum pname, const Out* out) {
   const State& s = c.state;
@@ -105,18 +128,9 @@ Invalid get_string(const Context&, GLenum name) {
 }
 
 Invalid get_pointer(const Context&, GLenum pname, void**) {
-  switch (pname) {
-    case GL_VERTEX_ARRAY_POINTER:
-    case GL_NORMAL_ARRAY_POINTER:
-    case GL_COLOR_ARRAY_POINTER:
-    case GL_TEXTURE_COORD_ARRAY_POINTER:
-    case GL_POINT_SIZE_ARRAY_POINTER_OES:
-    case GL_DEBUG_CALLBACK_FUNCTION_KHR:
-    case GL_DEBUG_CALLBACK_USER_PARAM_KHR:
-      return {};
-    default:
-      return {GL_INVALID_ENUM, "{0} is no pointer (6.1.5)"};
-  }
+  return enum_unless(array_of_pointer(pname) != 0 || pname == GL_DEBUG_CALLBACK_FUNCTION_KHR ||
+                         pname == GL_DEBUG_CALLBACK_USER_PARAM_KHR,
+                     "{0} is no pointer (6.1.5)");
 }
 
 Invalid get_light(const Context&, GLenum light, GLenum pname, const Out&) {
@@ -211,32 +225,12 @@ void get_pointer(Context& c, GLenum pname, void** params) {
     *params = const_cast<void*>(c.debug.user_param);
     return;
   }
-  const ArraysState& a = c.state.arrays;
-  const ArrayState& array = pname == GL_VERTEX_ARRAY_POINTER   ? a.vertex
-                            : pname == GL_NORMAL_ARRAY_POINTER ? a.normal
-                            : pname == GL_COLOR_ARRAY_POINTER  ? a.colour
-                            : pname == GL_TEXTURE_COORD_ARRAY_POINTER
-                                ? a.tex_coord[static_cast<size_t>(a.client_active_texture)]
-                                : a.point_size;
-  *params = const_cast<void*>(array.pointer);
+  *params = const_cast<void*>(find_array(c.state.arrays, array_of_pointer(pname))->pointer);
 }
 
 GLboolean is_enabled(Context& c, GLenum cap) {
-  const ArraysState& a = c.state.arrays;
-  switch (cap) {
-    case GL_VERTEX_ARRAY:
-      return a.vertex.enabled;
-    case GL_NORMAL_ARRAY:
-      return a.normal.enabled;
-    case GL_COLOR_ARRAY:
-      return a.colour.enabled;
-    case GL_POINT_SIZE_ARRAY_OES:
-      return a.point_size.enabled;
-    case GL_TEXTURE_COORD_ARRAY:
-      return a.tex_coord[static_cast<size_t>(a.client_active_texture)].enabled;
-    default:
-      return *capability(c, cap).value;
-  }
+  if (const ArrayState* array = find_array(c.state.arrays, cap)) return array->enabled;
+  return *capability(c, cap).value;
 }
 
 void get_clip_plane(Context& c, GLenum plane, const Out& out) {
@@ -387,17 +381,20 @@ void get_buffer_parameter(Context& c, GLenum target, GLenum pname, GLint* params
 }
 
 // OES_query_matrix: component i is mantissa[i] * 2^exponent[i]; a set bit marks one that is not a
-// finite number.
+// finite number. All 24 bits of a float fit into a mantissa between 2^13 and 2^14.
 GLbitfield query_matrix(Context& c, GLfixed* mantissa, GLint* exponent) {
+  constexpr int kIntegerBits = 14;
   GLbitfield invalid = 0;
   const Mat4& matrix = current_stack(c).top();
   for (unsigned i = 0; i < 16; ++i) {
     mantissa[i] = 0;
     exponent[i] = 0;
-    if (std::isfinite(matrix.m[i])) {
-      mantissa[i] = to_fixed(std::frexp(matrix.m[i], &exponent[i]));
-    } else {
+    const float value = matrix.m[i];
+    if (!std::isfinite(value)) {
       invalid |= 1u << i;
+    } else if (value != 0) {
+      mantissa[i] = to_fixed(std::ldexp(std::frexp(value, &exponent[i]), kIntegerBits));
+      exponent[i] -= kIntegerBits;
     }
   }
   return invalid;

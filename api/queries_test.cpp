@@ -2,6 +2,7 @@
 // variables are in state_test.cpp.
 // SPDX-License-Identifier: MIT
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "api/call_fixture.h"
@@ -38,6 +39,28 @@ TEST_F(Queries, MatricesAsBits) {
     glGetIntegerv(name, bits);
     EXPECT_EQ(bits[12], std::bit_cast<GLint>(0.1f));
     EXPECT_EQ(bits[14], std::bit_cast<GLint>(static_cast<float>(mode)));
+  }
+}
+
+// OES_query_matrix: of the stack that MATRIX_MODE names, to the last bit.
+TEST_F(Queries, MatricesAsMantissaAndExponent) {
+  const GLfloat kInfinity = std::numeric_limits<GLfloat>::infinity();
+  const GLfloat values[16] = {1, -1,        0.1f,  3.14159274f, 1e30f,  -1e-30f,
+                              0, 65536,     1e38f, kInfinity,   -0.75f, kInfinity - kInfinity,
+                              2, 123456.7f, 5,     -1e-45f};
+  for (const GLenum mode : {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE}) {
+    glMatrixMode(mode);
+    glLoadIdentity();
+    GLfixed mantissa[16];
+    GLint exponent[16];
+    EXPECT_EQ(glQueryMatrixxOES(mantissa, exponent), 0u);
+    glLoadMatrixf(values);
+    EXPECT_EQ(glQueryMatrixxOES(mantissa, exponent), 1u << 9 | 1u << 11);
+    for (int i = 0; i < 16; ++i) {
+      if (i == 9 || i == 11) continue;
+      EXPECT_EQ(std::ldexp(mantissa[i] / 65536.0, exponent[i]), static_cast<double>(values[i]))
+          << i;
+    }
   }
 }
 

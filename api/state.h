@@ -45,6 +45,9 @@ struct VertexArrayState {
   ArrayState normal{false, 3, GL_FLOAT, 0, nullptr, nullptr};
   ArrayState point_size{false, 1, GL_FLOAT, 0, nullptr, nullptr};
   std::array<ArrayState, kTextureUnits> tex_coord;
+  // OES_matrix_palette
+  ArrayState matrix_index{false, 0, GL_UNSIGNED_BYTE, 0, nullptr, nullptr};
+  ArrayState weight{false, 0, GL_FLOAT, 0, nullptr, nullptr};
   BufferPtr element_array_buffer;
 };
 
@@ -54,6 +57,15 @@ struct ArraysState : VertexArrayState {
   BufferPtr array_buffer;
   GLuint vertex_array = 0;
 };
+
+// Calls visit with each vertex array.
+template <typename Arrays, typename Visit>
+void visit_arrays(Arrays& a, const Visit& visit) {
+  for (auto* array : {&a.vertex, &a.normal, &a.colour, &a.point_size, &a.matrix_index, &a.weight}) {
+    visit(*array);
+  }
+  for (auto& array : a.tex_coord) visit(array);
+}
 
 // Table 6.7: transformation state.
 struct MatrixStack {
@@ -76,6 +88,10 @@ struct TransformState {
   bool rescale_normal = false;
   std::array<bool, kClipPlanes> clip_plane_enabled{};
   std::array<Vec4, kClipPlanes> clip_plane{};  // eye space
+  // OES_matrix_palette: matrices without stacks, which are stacks of one.
+  std::vector<MatrixStack> palette = std::vector<MatrixStack>(kPaletteMatrices, MatrixStack(1));
+  GLuint current_palette_matrix = 0;
+  bool matrix_palette = false;
 };
 
 // Table 6.8: colouring.
@@ -125,6 +141,7 @@ struct RasterizationState {
   bool cull_face = false;
   GLenum cull_mode = GL_BACK, front_face = GL_CCW;
   float offset_factor = 0, offset_units = 0;
+  float offset_clamp = 0;  // EXT_polygon_offset_clamp
   bool offset_fill = false;
 };
 

@@ -65,7 +65,9 @@ std::weak_ptr<SurfaceTexture> bind_surface_texture(
 void release_surface_texture(std::weak_ptr<SurfaceTexture> binding) noexcept try {
   const std::shared_ptr<SurfaceTexture> bound = binding.lock();
   if (!bound) return;
-  const std::lock_guard<std::mutex> lock(bound->share->mutex);
+  const auto share = bound->share.lock();
+  if (!share) return;
+  const std::lock_guard<std::mutex> lock(share->mutex);
   const TexturePtr texture = bound->texture.lock();
   if (texture && texture->surface == bound) forget_surface(*texture);
 } catch (...) {

@@ -8,7 +8,7 @@ namespace clearpipe::api {
 
 // One binding of a surface to a texture, held by the texture.
 struct SurfaceTexture {
-  std::shared_ptr<ShareGroup> share;
+  std::weak_ptr<ShareGroup> share;  // which has the texture, which has this
   std::weak_ptr<TextureObject> texture;
 };
 

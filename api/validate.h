@@ -39,6 +39,7 @@ Invalid is_enabled(const Context&, GLenum cap);
 Invalid multi_tex_coord(const Context&, GLenum target, float, float, float, float);
 Invalid texture_unit(const Context&, GLenum texture);
 Invalid matrix_mode(const Context&, GLenum mode);
+Invalid current_palette_matrix(const Context&, GLuint index);
 Invalid push_matrix(const Context&);
 Invalid pop_matrix(const Context&);
 Invalid frustum_planes(const Context&, float l, float r, float b, float t, float n, float f);
@@ -92,6 +93,10 @@ Invalid vertex_pointer(const Context&, GLint size, GLenum type, GLsizei stride, 
 Invalid color_pointer(const Context&, GLint size, GLenum type, GLsizei stride, const void*);
 Invalid normal_pointer(const Context&, GLenum type, GLsizei stride, const void*);
 Invalid point_size_pointer(const Context&, GLenum type, GLsizei stride, const void*);
+Invalid matrix_index_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                             const void* pointer);
+Invalid weight_pointer(const Context&, GLint size, GLenum type, GLsizei stride,
+                       const void* pointer);
 Invalid buffer_target(const Context&, GLenum target, GLuint);
 Invalid buffer_data(const Context&, GLenum target, GLsizeiptr size, const void*, GLenum usage);
 Invalid buffer_sub_data(const Context&, GLenum target, GLintptr offset, GLsizeiptr size,
@@ -106,6 +111,8 @@ Invalid bind_vertex_array(const Context&, GLuint name);
 Invalid clear(const Context&, GLbitfield mask);
 Invalid read_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
                     GLenum type, const void*);
+Invalid read_n_pixels(const Context&, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
+                      GLenum type, GLsizei size, const void*);
 Invalid draw_arrays(const Context&, GLenum mode, GLint first, GLsizei count);
 Invalid draw_elements(const Context&, GLenum mode, GLsizei count, GLenum type, const void*);
 Invalid draw_texture(const Context&, float x, float y, float z, float width, float height);
@@ -157,6 +164,18 @@ Invalid get_object_label(const Context&, GLenum identifier, GLuint name, GLsizei
 template <typename... Arguments>
 Invalid sync_label(const Context&, const Arguments&...) {
   return {GL_INVALID_VALUE, "{0} is no sync object: there are none (KHR_debug, 5.5.8)"};
+}
+Invalid label_object(const Context&, GLenum type, GLuint name, GLsizei length, const char*);
+Invalid get_label_ext(const Context&, GLenum type, GLuint name, GLsizei size, const GLsizei*,
+                      const char*);
+// validate_fence.cpp
+Invalid set_fence(const Context&, GLuint name, GLenum condition);
+Invalid existing_fence(const Context&, GLuint name);
+Invalid get_fence(const Context&, GLuint name, GLenum pname, const GLint*);
+// No program has uniforms: there are no programs.
+template <typename... Arguments>
+Invalid get_uniform(const Context&, const Arguments&...) {
+  return {GL_INVALID_VALUE, "{0} is no program: there are none (EXT_robustness, 6.1.8)"};
 }
 // queries.cpp
 Invalid get(const Context&, GLenum pname, const Out&);

@@ -110,6 +110,29 @@ Invalid object_label(const Context& c, GLenum identifier, GLuint name, GLsizei l
                       "{3} is not shorter than MAX_LABEL_LENGTH (KHR_debug, 5.5.8)");
 }
 
+// EXT_debug_label: its types, of which OpenGL ES 1.1 has five, and that there is such an object.
+namespace {
+Invalid labelled_ext(const Context& c, GLenum type, GLuint name) {
+  const bool known = type == GL_TEXTURE || type == GL_FRAMEBUFFER_OES ||
+                     type == GL_RENDERBUFFER_OES || type == GL_BUFFER_OBJECT_EXT ||
+                     type == GL_VERTEX_ARRAY_OBJECT_EXT;
+  if (!known) return {GL_INVALID_ENUM, "{0} is no type of objects (EXT_debug_label)"};
+  return operation_unless(find_label(const_cast<Context&>(c), type, name) != nullptr,
+                          "{1} is no object of the type {0} (EXT_debug_label)");
+}
+}  // namespace
+
+Invalid label_object(const Context& c, GLenum type, GLuint name, GLsizei length, const char*) {
+  if (const Invalid wrong = labelled_ext(c, type, name)) return wrong;
+  return value_unless(length >= 0, "{2} is negative (EXT_debug_label)");
+}
+
+Invalid get_label_ext(const Context& c, GLenum type, GLuint name, GLsizei size, const GLsizei*,
+                      const char*) {
+  if (const Invalid wrong = labelled_ext(c, type, name)) return wrong;
+  return value_unless(size >= 0, "{2} is negative (EXT_debug_label)");
+}
+
 Invalid get_object_label(const Context& c, GLenum identifier, GLuint name, GLsizei size,
                          const GLsizei*, const char*) {
   if (const Invalid wrong = labelled(c, identifier, name)) return wrong;

@@ -1,5 +1,6 @@
 // Validators of vertex arrays, buffer objects, drawing and reading.
 // SPDX-License-Identifier: MIT
+#include "api/draw.h"
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/validate.h"
@@ -26,18 +27,19 @@ bool is_coordinate_type(GLenum type) {
 // Mapped buffers are not drawn from (OES_mapbuffer).
 Invalid drawn_arrays(const Context& c) {
   const ArraysState& a = c.state.arrays;
-  const auto mapped = [](const ArrayState& array) {
-    return array.enabled && array.buffer && array.buffer->mapped;
-  };
   bool any = false;
-  for (const ArrayState* array : {&a.vertex, &a.normal, &a.colour, &a.point_size}) {
-    any = any || mapped(*array);
-  }
-  for (const ArrayState& array : a.tex_coord) any = any || mapped(array);
+  visit_arrays(a, [&any](const ArrayState& array) {
+    any = any || (array.enabled && array.buffer && array.buffer->mapped);
+  });
   if (any) {
     return {GL_INVALID_OPERATION, "the buffer of an enabled array is mapped (OES_mapbuffer)"};
   }
   return drawn_framebuffer(c);
+}
+
+Invalid vertex_units(GLint size) {
+  return value_unless(size >= 1 && size <= kVertexUnits,
+                      "{0} is not in [1, MAX_VERTEX_UNITS_OES] (OES_matrix_palette, 2.8)");
 }
 
 Invalid primitive(GLenum mode) {
@@ -46,17 +48,8 @@ Invalid primitive(GLenum mode) {
 
 }  // namespace
 
-Invalid client_state(const Context&, GLenum array, bool) {
-  switch (array) {
-    case GL_VERTEX_ARRAY:
-    case GL_NORMAL_ARRAY:
-    case GL_COLOR_ARRAY:
-    case GL_TEXTURE_COORD_ARRAY:
-    case GL_POINT_SIZE_ARRAY_OES:
-      return {};
-    default:
-      return {GL_INVALID_ENUM, "{0} is no array (2.8)"};
-  }
+Invalid client_state(const Context& c, GLenum array, bool) {
+  return enum_unless(find_array(c.state.arrays, array) != nullptr, "{0} is no array (2.8)");
 }
 
 Invalid vertex_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
@@ -80,6 +73,18 @@ Invalid normal_pointer(const Context& c, GLenum type, GLsizei stride, const void
 
 Invalid point_size_pointer(const Context& c, GLenum type, GLsizei stride, const void* pointer) {
   return array_pointer(c, type == GL_FIXED || type == GL_FLOAT, stride, pointer);
+}
+
+Invalid matrix_index_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                             const void* pointer) {
+  if (const Invalid wrong = vertex_units(size)) return wrong;
+  return array_pointer(c, type == GL_UNSIGNED_BYTE, stride, pointer).from(1);
+}
+
+Invalid weight_pointer(const Context& c, GLint size, GLenum type, GLsizei stride,
+                       const void* pointer) {
+  if (const Invalid wrong = vertex_units(size)) return wrong;
+  return array_pointer(c, type == GL_FIXED || type == GL_FLOAT, stride, pointer).from(1);
 }
 
 Invalid buffer_target(const Context&, GLenum target, GLuint) {
@@ -116,8 +121,10 @@ Invalid clear(const Context& c, GLbitfield mask) {
   return drawn_framebuffer(c);
 }
 
-Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
-                    GLenum type, const void* pixels) {
+namespace {
+// The first six arguments of calls that read pixels.
+Invalid read_rectangle(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                       GLenum type) {
   if (width < 0 || height < 0) return {GL_INVALID_VALUE, "{2} or {3} is negative (4.3.1)"};
   if (!is_base_format(format) && format != GL_BGRA_EXT) {
     return {GL_INVALID_ENUM, "{4} is no format of pixels (3.6.2, table 3.3)"};
@@ -132,8 +139,23 @@ Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei heigh
             "pixels are not read as {4} of {5}, but as RGBA of UNSIGNED_BYTE (4.3.1) or as BGRA "
             "(EXT_read_format_bgra)"};
   }
-  if (const Invalid wrong = read_framebuffer(c)) return wrong;
+  return read_framebuffer(c);
+}
+}  // namespace
+
+Invalid read_pixels(const Context& c, GLint, GLint, GLsizei width, GLsizei height, GLenum format,
+                    GLenum type, const void* pixels) {
+  if (const Invalid wrong = read_rectangle(c, width, height, format, type)) return wrong;
   return value_unless(pixels != nullptr, "{6} is no place to write to (4.3.1)");
+}
+
+Invalid read_n_pixels(const Context& c, GLint x, GLint y, GLsizei width, GLsizei height,
+                      GLenum format, GLenum type, GLsizei size, const void* data) {
+  if (const Invalid wrong = read_rectangle(c, width, height, format, type)) return wrong;
+  if (size < bytes_read(c, width, height, format, type)) {
+    return {GL_INVALID_OPERATION, "{6} is less than the pixels take (EXT_robustness, 4.3.1)"};
+  }
+  return read_pixels(c, x, y, width, height, format, type, data).from(1);
 }
 
 Invalid draw_arrays(const Context& c, GLenum mode, GLint first, GLsizei count) {

@@ -26,9 +26,7 @@ Invalid enable(const Context& c, GLenum cap, bool) {
 }
 
 Invalid is_enabled(const Context& c, GLenum cap) {
-  const bool array = cap == GL_VERTEX_ARRAY || cap == GL_NORMAL_ARRAY || cap == GL_COLOR_ARRAY ||
-                     cap == GL_TEXTURE_COORD_ARRAY || cap == GL_POINT_SIZE_ARRAY_OES;
-  return enum_unless(array || !enable(c, cap, false),
+  return enum_unless(find_array(c.state.arrays, cap) || !enable(c, cap, false),
                      "{0} is nothing that is enabled or disabled (6.1.1)");
 }
 
@@ -42,8 +40,15 @@ Invalid multi_tex_coord(const Context& c, GLenum target, float, float, float, fl
 }
 
 Invalid matrix_mode(const Context&, GLenum mode) {
-  return enum_unless(mode == GL_MODELVIEW || mode == GL_PROJECTION || mode == GL_TEXTURE,
-                     "{0} is none of MODELVIEW, PROJECTION and TEXTURE (2.10.2)");
+  return enum_unless(
+      mode == GL_MODELVIEW || mode == GL_PROJECTION || mode == GL_TEXTURE ||
+          mode == GL_MATRIX_PALETTE_OES,
+      "{0} is none of MODELVIEW, PROJECTION, TEXTURE and MATRIX_PALETTE_OES (2.10.2)");
+}
+
+Invalid current_palette_matrix(const Context&, GLuint index) {
+  return value_unless(index < GLuint{kPaletteMatrices},
+                      "{0} is not less than MAX_PALETTE_MATRICES_OES (OES_matrix_palette, 2.10)");
 }
 
 Invalid push_matrix(const Context& c) {

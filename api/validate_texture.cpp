@@ -94,7 +94,9 @@ Invalid tex_env(const Context&, GLenum target, GLenum pname, const Params& p) {
   switch (pname) {
     case GL_TEXTURE_ENV_MODE:
       return enum_unless(value == GL_MODULATE || value == GL_REPLACE || value == GL_DECAL ||
-                             value == GL_BLEND || value == GL_ADD || value == GL_COMBINE,
+                             value == GL_BLEND || value == GL_ADD || value == GL_COMBINE ||
+                             (value >= GL_MODULATE_COLOR_IMG && value <= GL_ADD_BLEND_IMG) ||
+                             value == GL_DOT3_RGBA_IMG,
                          "{2} is no texture function (3.7.12)");
     case GL_TEXTURE_ENV_COLOR:
       return vector_only(p, 1);

@@ -180,7 +180,7 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       value = 0;
       break;
     case EGL_MAX_SWAP_INTERVAL:
-      value = kMaxSwapInterval;
+      value = config.max_swap_interval;
       break;
     case EGL_BIND_TO_TEXTURE_RGB:
       value = EGL_TRUE;

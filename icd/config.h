@@ -20,10 +20,10 @@ struct Config {
   // visual of windows.
   EGLint native_surfaces = 0;
   EGLint visual_id = 0, visual_type = EGL_NONE;
+  EGLint max_swap_interval = 10;
 };
 
 inline constexpr EGLint kMaxPbuffer = 16384;
-inline constexpr EGLint kMaxSwapInterval = 10;
 
 // What every platform has, for pbuffers alone, without numbers.
 std::vector<Config> offscreen_configs();

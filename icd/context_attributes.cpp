@@ -60,10 +60,14 @@ EGLint parse_context_attributes(const EGLint* list, ContextAttributes& out) {
   }
   // The versions there are: 1.0 and 1.1; later ones are not for any config here (3.7.1.1).
   if (out.major != 1 || out.minor < 0 || out.minor > 1) return EGL_BAD_MATCH;
-  if (out.robust_access) return EGL_BAD_MATCH;
-  // EGL_KHR_create_context_no_error: nothing is left to be debugged.
-  if (out.no_error && out.debug) return EGL_BAD_MATCH;
+  // EGL_KHR_create_context_no_error: nothing is left to be debugged, nor is there a promise.
+  if (out.no_error && (out.debug || out.robust_access)) return EGL_BAD_MATCH;
   return EGL_SUCCESS;
+}
+
+api::ContextFlags context_flags(const ContextAttributes& attributes) {
+  return {attributes.debug, attributes.no_error, attributes.robust_access,
+          attributes.reset_notification == EGL_LOSE_CONTEXT_ON_RESET};
 }
 
 bool may_share(const ContextAttributes& a, const ContextAttributes& b) {

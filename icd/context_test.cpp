@@ -50,7 +50,11 @@ TEST_F(ContextTest, Attributes) {
   expect_created({EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_FALSE});
   expect_created({EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_FALSE});
   expect_created({EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
-  expect_refused({EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE}, EGL_BAD_MATCH);
+  expect_created({EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+  expect_created({EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE});
+  expect_refused(
+      {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE, EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE},
+      EGL_BAD_MATCH);
   expect_refused({EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE, EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE},
                  EGL_BAD_MATCH);
   expect_refused({EGL_CONTEXT_OPENGL_DEBUG, 2}, EGL_BAD_ATTRIBUTE);
@@ -271,6 +275,25 @@ TEST_F(ContextTest, ShareGroups) {
   glReadPixels(2, 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
   EXPECT_EQ(pixel, 0xff0000ffu);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// What was asked for can be asked of the context (GL_EXT_robustness).
+TEST_F(ContextTest, Robustness) {
+  const EGLSurface surface = pbuffer(4, 4);
+  const auto state = [&](const std::vector<EGLint>& attributes) {
+    EXPECT_TRUE(eglMakeCurrent(display, surface, surface, context_with(attributes)));
+    std::array<GLint, 2> values{-1, -1};
+    glGetIntegerv(GL_CONTEXT_ROBUST_ACCESS_EXT, &values[0]);
+    glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_EXT, &values[1]);
+    return values;
+  };
+  using Values = std::array<GLint, 2>;
+  EXPECT_EQ(state({}), (Values{0, GL_NO_RESET_NOTIFICATION_EXT}));
+  EXPECT_EQ(state({EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT, EGL_TRUE}),
+            (Values{1, GL_NO_RESET_NOTIFICATION_EXT}));
+  EXPECT_EQ(
+      state({EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT}),
+      (Values{0, GL_LOSE_CONTEXT_ON_RESET_EXT}));
 }
 
 // 3.7.1: contexts whose errors or resets are treated differently do not share.

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "api/context.h"
@@ -94,6 +95,7 @@ struct Display {
   bool initialized = false;
   std::shared_ptr<Platform> platform;  // of an initialized display
   std::vector<Config> configs;         // made once, so that their handles stay
+  std::string extensions;
   std::vector<std::unique_ptr<Surface>> surfaces;
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;

@@ -71,8 +71,7 @@ EGLContext CreateContext(EGLDisplay dpy, EGLConfig config, EGLContext share_cont
     }
     share = other->context;
   }
-  context->context = api::create_context(
-      share, {context->attributes.debug, context->attributes.no_error}, context.get());
+  context->context = api::create_context(share, context_flags(context->attributes), context.get());
   if (context->context == nullptr) return fail(EGL_BAD_ALLOC, EGL_NO_CONTEXT);
   display->contexts.push_back(std::move(context));
   return succeed<EGLContext>(display->contexts.back()->handle);

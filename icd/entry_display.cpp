@@ -16,22 +16,28 @@ constexpr const char* kClientExtensions =
     "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
     "EGL_EXT_device_query EGL_EXT_platform_base EGL_KHR_client_get_all_proc_addresses "
     "EGL_KHR_debug " PLATFORM_EXTENSIONS;
-// Of all displays, and of those that have windows besides.
-#define DISPLAY_EXTENSIONS                                                             \
-  "EGL_KHR_config_attribs EGL_KHR_context_flush_control EGL_KHR_create_context "       \
-  "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses " \
-  "EGL_KHR_gl_colorspace EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image "   \
-  "EGL_KHR_image EGL_KHR_image_base EGL_KHR_no_config_context EGL_KHR_reusable_sync "  \
-  "EGL_KHR_surfaceless_context EGL_KHR_wait_sync EGL_MESA_query_driver"
-constexpr const char* kOffscreenExtensions = DISPLAY_EXTENSIONS;
-constexpr const char* kWindowExtensions = DISPLAY_EXTENSIONS
-    " EGL_EXT_buffer_age EGL_EXT_swap_buffers_with_damage EGL_KHR_partial_update "
-    "EGL_KHR_swap_buffers_with_damage EGL_NOK_texture_from_pixmap";
-
-bool has_windows(const Display& display) {
-  return std::any_of(display.configs.begin(), display.configs.end(), [](const Config& config) {
-    return (config.native_surfaces & EGL_WINDOW_BIT) != 0;
-  });
+// What a display offers: all that every one does, and what its configs allow.
+std::string extensions_of(const Display& display) {
+  const auto has = [&display](EGLint surfaces) {
+    return std::any_of(display.configs.begin(), display.configs.end(), [=](const Config& config) {
+      return (config.native_surfaces & surfaces) != 0;
+    });
+  };
+  std::string list =
+      "EGL_EXT_create_context_robustness EGL_KHR_config_attribs EGL_KHR_context_flush_control "
+      "EGL_KHR_create_context "
+      "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
+      "EGL_KHR_gl_colorspace EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image "
+      "EGL_KHR_image_base EGL_KHR_no_config_context EGL_KHR_reusable_sync "
+      "EGL_KHR_surfaceless_context EGL_KHR_wait_sync EGL_MESA_query_driver";
+  if (has(EGL_WINDOW_BIT)) {
+    list +=
+        " EGL_EXT_buffer_age EGL_EXT_swap_buffers_with_damage EGL_KHR_partial_update "
+        "EGL_KHR_swap_buffers_with_damage";
+  }
+  // EGL_KHR_image would have images of native pixmaps, where there are any.
+  list += has(EGL_PIXMAP_BIT) ? " EGL_NOK_texture_from_pixmap" : " EGL_KHR_image";
+  return list;
 }
 
 EGLBoolean return_configs(const Config* const* list, size_t count, EGLConfig* configs, EGLint size,
@@ -119,6 +125,7 @@ EGLBoolean Initialize(EGLDisplay dpy, EGLint* major, EGLint* minor) noexcept try
       display->configs = display->platform->configs();
       EGLint id = 0;
       for (Config& config : display->configs) config.id = ++id;
+      display->extensions = extensions_of(*display);
     }
     display->initialized = true;
   }
@@ -159,7 +166,7 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
     case EGL_CLIENT_APIS:
       return succeed("OpenGL_ES");
     case EGL_EXTENSIONS:
-      return succeed(has_windows(*display) ? kWindowExtensions : kOffscreenExtensions);
+      return succeed(display->extensions.c_str());
     case EGL_VENDOR:
       return succeed("clearpipe");
     case EGL_VERSION:

@@ -133,7 +133,8 @@ EGLBoolean SwapInterval(EGLDisplay dpy, EGLint interval) noexcept {
   const Context* context = this_thread().context;
   if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_FALSE);
   if (context->draw == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
-  context->draw->swap_interval = std::clamp(interval, 0, kMaxSwapInterval);
+  Surface& surface = *context->draw;
+  surface.swap_interval = std::clamp(interval, 0, surface.config->max_swap_interval);
   return succeed(EGL_TRUE);
 }
 

@@ -22,6 +22,9 @@ EGLSurface create_native(Surface::Kind kind, EGLDisplay dpy, EGLConfig config, v
   surface->config = display->config(config);
   surface->kind = kind;
   if (surface->config == nullptr) return fail(EGL_BAD_CONFIG, EGL_NO_SURFACE);
+  if (!is_window && display->origin.platform == EGL_PLATFORM_WAYLAND_KHR) {
+    return fail(EGL_BAD_PARAMETER, EGL_NO_SURFACE);  // it has no pixmaps
+  }
   const EGLint bit = is_window ? EGL_WINDOW_BIT : EGL_PIXMAP_BIT;
   if ((surface->config->native_surfaces & bit) == 0) return fail(EGL_BAD_MATCH, EGL_NO_SURFACE);
   if (const EGLint error = parse_native(attrib_list, *surface); error != EGL_SUCCESS) {

@@ -205,6 +205,16 @@ TEST_F(ImageTest, RefusedToCreate) {
   // Renderbuffers that have no storage, and textures without the levels that they want.
   refuse(context_, EGL_GL_RENDERBUFFER, empty_renderbuffer(), EGL_BAD_PARAMETER);
   refuse(context_, EGL_GL_TEXTURE_2D, empty_texture(), EGL_BAD_PARAMETER);
+  // Textures of another target.
+  GLuint cube = 0;
+  glGenTextures(1, &cube);
+  glBindTexture(GL_TEXTURE_CUBE_MAP_OES, cube);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP_OES, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  for (GLenum face = 0; face < 6; ++face) {
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + face, 0, GL_RGBA, kSize, kSize, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texels(kRed, kSize).data());
+  }
+  refuse(context_, EGL_GL_TEXTURE_2D, cube, EGL_BAD_PARAMETER);
   // Multisampled ones.
   const GLuint multisampled = empty_renderbuffer();
   proc<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEEXTPROC>("glRenderbufferStorageMultisampleEXT")(

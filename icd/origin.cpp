@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "icd/wayland_platform.h"
 #include "icd/x11_library.h"
 #include "icd/x11_platform.h"
 
@@ -21,6 +22,7 @@ struct PlatformName {
 constexpr std::array kNames = {
     PlatformName{"x11", EGL_PLATFORM_X11_KHR},
     PlatformName{"xcb", EGL_PLATFORM_XCB_EXT},
+    PlatformName{"wayland", EGL_PLATFORM_WAYLAND_KHR},
     PlatformName{"surfaceless", EGL_PLATFORM_SURFACELESS_MESA},
     PlatformName{"device", EGL_PLATFORM_DEVICE_EXT},
 };
@@ -40,14 +42,24 @@ bool x11_answers() {
   return name != nullptr && *name != '\0' && open_x11(nullptr, nullptr, -1) != nullptr;
 }
 
+// A connection that is inherited can be opened but once, so it is believed to work.
+bool wayland_answers() {
+  const char* inherited = std::getenv("WAYLAND_SOCKET");
+  if (inherited != nullptr && *inherited != '\0') return true;
+  const char* name = std::getenv("WAYLAND_DISPLAY");
+  return name != nullptr && *name != '\0' && open_wayland(nullptr) != nullptr;
+}
+
 EGLenum default_platform() {
   if (x11_answers()) return EGL_PLATFORM_X11_KHR;
+  if (wayland_answers()) return EGL_PLATFORM_WAYLAND_KHR;
   return EGL_PLATFORM_SURFACELESS_MESA;
 }
 
 }  // namespace
 
 EGLenum platform_of(void* native_display) {
+  if (is_wayland_display(native_display)) return EGL_PLATFORM_WAYLAND_KHR;
   if (is_xlib_display(native_display)) return EGL_PLATFORM_X11_KHR;
   return EGL_NONE;
 }
@@ -61,6 +73,7 @@ EGLint origin_of(EGLenum platform, void* native_display, Origin& out) {
       return native_display == the_device() ? EGL_SUCCESS : EGL_BAD_PARAMETER;
     case EGL_PLATFORM_X11_KHR:
     case EGL_PLATFORM_XCB_EXT:
+    case EGL_PLATFORM_WAYLAND_KHR:
       return EGL_SUCCESS;
     default:
       return EGL_BAD_PARAMETER;
@@ -91,6 +104,8 @@ std::shared_ptr<Platform> open_platform(const Origin& origin) {
       return open_x11(origin.native, nullptr, origin.screen);
     case EGL_PLATFORM_XCB_EXT:
       return open_x11(nullptr, static_cast<xcb_connection_t*>(origin.native), origin.screen);
+    case EGL_PLATFORM_WAYLAND_KHR:
+      return open_wayland(static_cast<wl_display*>(origin.native));
     default:
       return std::make_shared<Platform>();
   }

@@ -64,6 +64,9 @@ class NativeSurface {
   virtual EGLint get(pipeline::ColourBuffer&) { return EGL_BAD_NATIVE_PIXMAP; }
   virtual void release() = 0;
 
+  // Keeps the calls above out, for a call of the window system's.
+  std::unique_lock<std::mutex> lock() { return std::unique_lock<std::mutex>(mutex_); }
+
   // Whether what waits should give up: someone wants to close.
   bool is_closing() const { return closing_; }
   Platform& platform() const { return *platform_; }

@@ -65,8 +65,8 @@ struct Material {
 
 // OES_matrix_palette: one matrix after another, column-major as in Mat4.
 struct MatrixPalette {
-  std::array<float, 16 * kPaletteMatrices> matrix;
-  std::array<float, 9 * kPaletteMatrices> normal_matrix;  // transposed inverses; with lighting
+  std::array<float, 16 * kPaletteMatrices> matrix{};
+  std::array<float, 9 * kPaletteMatrices> normal_matrix{};  // transposed inverses; with normals
 };
 
 struct VertexState {
@@ -122,6 +122,7 @@ struct RasterState {
   bool flat_shade = false;  // the provoking vertex is the last of the primitive (2.13.7)
   bool offset_fill = false;
   float offset_factor = 0, offset_units = 0;
+  float offset_clamp = 0;  // 0: not clamped
   float line_width = 1;
   bool line_smooth = false;
   bool point_smooth = false;
@@ -155,6 +156,7 @@ enum class Combine : uint8_t {
   kAddSigned,
   kInterpolate,
   kSubtract,
+  kModulateAdd,  // Arg0 * Arg2 + Arg1
   kDot3Rgb,
   kDot3Rgba
 };

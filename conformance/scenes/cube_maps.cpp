@@ -66,6 +66,8 @@ void draw_directions(const Gl& gl, float q = 1) {
       }
     }
   }
+  gl.DisableClientState(GL_COLOR_ARRAY);
+  gl.Color4f(1, 1, 1, 1);
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
   gl.VertexPointer(2, GL_FLOAT, 0, positions.data());

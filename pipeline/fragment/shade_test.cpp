@@ -289,7 +289,7 @@ TEST(Shade, CombinersFollowTheirEquations) {
   image->levels.push_back({1, 1, {pack({200, 90, 30, 160})}});
   const Colour t = {200 / 255.0, 90 / 255.0, 30 / 255.0, 160 / 255.0};
   const Colour p = {0.3, 0.8, 0.55, 0.65}, k = {0.9, 0.1, 0.45, 0.35};
-  for (int function = 0; function < 8; ++function) {
+  for (int function = 0; function < 9; ++function) {
     for (int scale = 0; scale < 3; ++scale) {
       Bench bench;
       TextureUnit& unit = bench.state.unit[0];
@@ -299,7 +299,7 @@ TEST(Shade, CombinersFollowTheirEquations) {
       unit.constant = {0.9f, 0.1f, 0.45f, 0.35f};
       Combiner& combiner = unit.combiner;
       combiner.rgb = static_cast<Combine>(function);
-      combiner.alpha = function < 6 ? combiner.rgb : Combine::kModulate;
+      combiner.alpha = function < 7 ? combiner.rgb : Combine::kModulate;
       combiner.rgb_scale_log2 = static_cast<uint8_t>(scale);
       combiner.alpha_scale_log2 = static_cast<uint8_t>((scale + 1) % 3);
       combiner.rgb_argument = {{{CombineSource::kTexture0, CombineOperand::kColour},
@@ -334,6 +334,9 @@ TEST(Shade, CombinersFollowTheirEquations) {
             break;
           case Combine::kSubtract:
             v = a0 - a1;
+            break;
+          case Combine::kModulateAdd:
+            v = a0 * a2 + a1;
             break;
           case Combine::kDot3Rgb:
           case Combine::kDot3Rgba:

@@ -75,6 +75,8 @@ HWY_INLINE V combine(D d, V a0, V a1, V a2) {
     return centred(d, hn::Add(a0, a1));
   } else if constexpr (kCombine == Combine::kInterpolate) {
     return hn::Add(multiply(a0, a2), multiply(a1, hn::Sub(one, a2)));
+  } else if constexpr (kCombine == Combine::kModulateAdd) {
+    return hn::Add(multiply(a0, a2), a1);
   } else {
     return hn::Sub(a0, a1);
   }
@@ -130,6 +132,8 @@ inline void combine_channel_any(Combine function, const CombinerInput* in, int s
       return combine_channel<Combine::kAddSigned>(in, scale_log2, count, out);
     case Combine::kInterpolate:
       return combine_channel<Combine::kInterpolate>(in, scale_log2, count, out);
+    case Combine::kModulateAdd:
+      return combine_channel<Combine::kModulateAdd>(in, scale_log2, count, out);
     default:
       return combine_channel<Combine::kSubtract>(in, scale_log2, count, out);
   }

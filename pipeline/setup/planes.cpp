@@ -82,7 +82,10 @@ SmoothRegion smooth_region(const SetupState& state, const PrimitiveRecord& p) {
 float polygon_offset(const RasterState& raster, const Plane& depth) {
   constexpr float kResolution = 1.0f / 16777215.0f;
   const float slope = std::max(std::fabs(depth.dx), std::fabs(depth.dy));
-  return slope * raster.offset_factor + kResolution * raster.offset_units;
+  const float offset = slope * raster.offset_factor + kResolution * raster.offset_units;
+  if (raster.offset_clamp == 0) return offset;  // EXT_polygon_offset_clamp
+  return raster.offset_clamp > 0 ? std::min(offset, raster.offset_clamp)
+                                 : std::max(offset, raster.offset_clamp);
 }
 
 // 3.3.1: s runs from 0 to 1 across the sprite, t from 0 at its top edge to 1 at its bottom edge.
