@@ -6,6 +6,7 @@
 
 #include "api/context_state.h"
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/texture_target.h"
 
 namespace clearpipe::api {
@@ -383,6 +384,7 @@ void derive_fragment(Context& context) {
     if (!unit.enabled) continue;
     const TextureObject& texture = *enabled_texture(from);
     unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
+    unit.srgb = is_srgb(texture.level[0].internal);
     unit.image = texture.image;
     if (samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
