@@ -26,6 +26,7 @@ constexpr Topic kTopics[] = {
     {"compressed", {kRasterization, "3.7.3 Compressed Texture Images"}},
     {"cube_maps", {kRasterization, "3.7 with OES_texture_cube_map"}},
     {"extensions", {kRasterization, "3.7 with extensions of textures"}},
+    {"srgb", {kRasterization, "3.7 with EXT_sRGB"}},
     {"fog", {kRasterization, "3.8 Fog"}},
     {"fragments", {kFragments, "4.1 Per-Fragment Operations"}},
     {"framebuffers", {kFragments, "4.4 with OES_framebuffer_object"}},

@@ -43,8 +43,8 @@
 
   function tolerance(t) {
     if (t.near_share === 1 && t.near === 0) return 'Tolerance: every pixel equal.';
-    const far = t.far_share === 1 ? 'all' : percent(t.far_share);
-    return `Tolerance: ${percent(t.near_share)} of the pixels within ${t.near}/255, ${far} within ${t.far}/255.` +
+    const far = t.far === t.near ? '' : `, ${t.far_share === 1 ? 'all' : percent(t.far_share)} within ${t.far}/255`;
+    return `Tolerance: ${percent(t.near_share)} of the pixels within ${t.near}/255${far}.` +
       (t.reason ? ` Because: ${t.reason}.` : '');
   }
 
