@@ -85,7 +85,11 @@ TEST_F(SurfaceTextureTest, Attributes) {
   EXPECT_EQ(query(surface, EGL_MIPMAP_TEXTURE), EGL_TRUE);
   config = choose({EGL_ALPHA_SIZE, 0});
   EXPECT_NE(texture_pbuffer(EGL_TEXTURE_RGB), EGL_NO_SURFACE);
-  EXPECT_EGL_FAIL(texture_pbuffer(EGL_TEXTURE_RGBA), EGL_NO_SURFACE, EGL_BAD_MATCH);
+  // One that does not bind to its format can be made (3.5.2), and not be bound (3.6.1).
+  const EGLSurface opaque = texture_pbuffer(EGL_TEXTURE_RGBA);
+  ASSERT_NE(opaque, EGL_NO_SURFACE);
+  EXPECT_EQ(query(opaque, EGL_TEXTURE_FORMAT), EGL_TEXTURE_RGBA);
+  EXPECT_EGL_FAIL(eglBindTexImage(display, opaque, EGL_BACK_BUFFER), EGL_FALSE, EGL_BAD_SURFACE);
 }
 
 TEST_F(SurfaceTextureTest, Errors) {
