@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <vector>
 
@@ -105,13 +106,17 @@ class MatrixPalette : public CallTest {
     return v;
   }
 
+  // The arrays in client memory or, with a buffer bound, as offsets into it.
   static void point_at(const Vertex* v, int indices = kUnits, int weights = kUnits) {
     constexpr GLsizei kStride = sizeof(Vertex);
-    glVertexPointer(4, GL_FLOAT, kStride, v->position);
-    glNormalPointer(GL_FLOAT, kStride, v->normal);
-    glColorPointer(4, GL_UNSIGNED_BYTE, kStride, v->colour);
-    glMatrixIndexPointerOES(indices, GL_UNSIGNED_BYTE, kStride, v->index);
-    glWeightPointerOES(weights, GL_FLOAT, kStride, v->weight);
+    const auto at = [v](size_t offset) {
+      return reinterpret_cast<const void*>(reinterpret_cast<uintptr_t>(v) + offset);
+    };
+    glVertexPointer(4, GL_FLOAT, kStride, at(offsetof(Vertex, position)));
+    glNormalPointer(GL_FLOAT, kStride, at(offsetof(Vertex, normal)));
+    glColorPointer(4, GL_UNSIGNED_BYTE, kStride, at(offsetof(Vertex, colour)));
+    glMatrixIndexPointerOES(indices, GL_UNSIGNED_BYTE, kStride, at(offsetof(Vertex, index)));
+    glWeightPointerOES(weights, GL_FLOAT, kStride, at(offsetof(Vertex, weight)));
   }
 
   // Eye coordinates by the sum of the extension.
@@ -398,7 +403,7 @@ TEST_F(MatrixPalette, ArraysOfAllKinds) {
   glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
                vertices.data(), GL_STATIC_DRAW);
-  point_at(reinterpret_cast<const Vertex*>(uintptr_t{0}));
+  point_at(nullptr);
   EXPECT_EQ(draw(), expected);
   glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * fixed.size()), fixed.data(),

@@ -6,6 +6,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>
+#include <link.h>
 
 #include <array>
 #include <cstdlib>
@@ -15,6 +16,17 @@
 namespace clearpipe::conformance {
 
 namespace {
+
+// Keeps every library of the process loaded until its end: a driver that is unloaded with its
+// display would be nameless in a report of what it leaked, and could not be told from clearpipe.
+void keep_libraries() {
+  const auto keep = [](dl_phdr_info* library, size_t, void*) {
+    if (*library->dlpi_name != 0)
+      dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    return 0;
+  };
+  dl_iterate_phdr(keep, nullptr);
+}
 
 class ThroughEgl final : public Implementation {
  public:
@@ -67,6 +79,7 @@ class ThroughEgl final : public Implementation {
 
   ~ThroughEgl() override {
     end();
+    keep_libraries();
     terminate_(display_);
     dlclose(library_);
   }

@@ -56,6 +56,7 @@ void destroy_resource(wl_client*, wl_resource* resource) { wl_resource_destroy(r
 struct TestCompositor::State {
   wl_display* display = nullptr;
   wl_event_source* timer = nullptr;
+  wl_event_source* waking = nullptr;
   int wake = -1;
   std::thread thread;
   bool running = true;
@@ -229,7 +230,7 @@ TestCompositor::TestCompositor() : state_(std::make_unique<State>()) {
   wl_display_init_shm(s.display);
   wl_global_create(s.display, &wl_compositor_interface, 4, &s, State::bind_compositor);
   wl_event_loop* loop = wl_display_get_event_loop(s.display);
-  wl_event_loop_add_fd(loop, s.wake, WL_EVENT_READABLE, State::run_tasks, &s);
+  s.waking = wl_event_loop_add_fd(loop, s.wake, WL_EVENT_READABLE, State::run_tasks, &s);
   s.timer = wl_event_loop_add_timer(loop, State::tick, &s);
   wl_event_source_timer_update(s.timer, 20);
   s.thread = std::thread([&s] { wl_display_run(s.display); });
@@ -242,6 +243,8 @@ TestCompositor::~TestCompositor() {
     wl_display_terminate(s.display);
   });
   s.thread.join();
+  wl_event_source_remove(s.timer);
+  wl_event_source_remove(s.waking);
   wl_display_destroy(s.display);
   close(s.wake);
 }
