@@ -20,10 +20,6 @@ Surface* texture_surface(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
   }
   if (buffer != EGL_BACK_BUFFER) return fail(EGL_BAD_PARAMETER, none);
   if (surface->texture_format == EGL_NO_TEXTURE) return fail(EGL_BAD_MATCH, none);
-  // The config must be one that binds to the format (table 3.1).
-  if (surface->texture_format == EGL_TEXTURE_RGBA && surface->config->alpha == 0) {
-    return fail(EGL_BAD_SURFACE, none);
-  }
   return surface;
 }
 

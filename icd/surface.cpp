@@ -52,7 +52,8 @@ EGLint parse_texture_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
   }
 }
 
-// 3.5.2: both or neither. Whether the config binds to the format is asked by eglBindTexImage.
+// 3.5.2: both or neither. Every config binds to one of the formats, which is all that is asked; a
+// texture of RGBA is opaque if the config has no alpha.
 EGLint check_texture(const Surface& surface) {
   const bool fits =
       (surface.texture_format == EGL_NO_TEXTURE) == (surface.texture_target == EGL_NO_TEXTURE);
