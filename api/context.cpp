@@ -24,6 +24,7 @@ Context* create_context(Context* share, ContextFlags flags, SurfaceOwner* owner)
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
     unit.cube_texture = context->default_cube_texture;
+    unit.external_texture = context->default_external_texture;
   }
   context->surface_owner = owner;
   context->debug.output = flags.debug;

@@ -37,6 +37,7 @@ struct Context {
   uint32_t dirty = kDirtyAll;
   TexturePtr default_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_2D);
   TexturePtr default_cube_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_CUBE_MAP_OES);
+  TexturePtr default_external_texture = std::make_shared<TextureObject>(0, GL_TEXTURE_EXTERNAL_OES);
 
   // The surfaces EGL has bound, and what is drawn to and read from: these, or the images of the
   // framebuffer object (framebuffer.h).

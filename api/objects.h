@@ -61,9 +61,12 @@ struct TextureLevel {
 
 // Table 6.14.
 struct TextureObject {
-  explicit TextureObject(GLuint n, GLenum t = 0) : name(n), target(t) {}
+  explicit TextureObject(GLuint n, GLenum t = 0) : name(n) {
+    if (t != 0) set_target(t);
+  }
   const GLuint name;
-  GLenum target;           // that it was first bound to (3.7.11); 0: to none
+  GLenum target = 0;  // that it was first bound to (3.7.11); 0: to none
+  void set_target(GLenum t);
   int storage_levels = 0;  // EXT_texture_storage: so many levels, immutable; 0: not immutable
   // Grows with every change but that of texels alone. Contexts that have the texture bound compare
   // it with what they derived from.

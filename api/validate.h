@@ -68,6 +68,7 @@ Invalid logic_op(const Context&, GLenum opcode);
 // validate_texture.cpp
 Invalid pixel_store(const Context&, GLenum pname, GLint param);
 Invalid texture_target(GLenum target);
+Invalid specified_target(GLenum target);
 Invalid bind_texture(const Context&, GLenum target, GLuint name);
 Invalid names(const Context&, GLsizei n, const GLuint*);
 Invalid tex_image(const Context&, GLenum target, GLint level, GLint internal, GLsizei width,
