@@ -7,6 +7,7 @@
 
 #include "icd/dispatch.h"
 #include "icd/entry.h"
+#include "icd/extensions.h"
 #include "icd/origin.h"
 
 namespace clearpipe::icd {
@@ -24,7 +25,8 @@ EGLDisplay platform_display(EGLenum platform, void* native_display, const EGLAtt
 EGLBoolean supports_api(EGLenum api) { return api == EGL_OPENGL_ES_API ? EGL_TRUE : EGL_FALSE; }
 
 const char* vendor_string(int name) {
-  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS ? PLATFORM_EXTENSIONS : nullptr;
+  return name == __EGL_VENDOR_STRING_PLATFORM_EXTENSIONS ? kOffered<Offered::platform>.data()
+                                                         : nullptr;
 }
 
 EGLenum find_platform(void* native_display) { return platform_of(native_display); }

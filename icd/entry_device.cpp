@@ -3,6 +3,7 @@
 // that see several vendors through libglvnd tell them apart by their devices.
 // SPDX-License-Identifier: MIT
 #include "icd/entry.h"
+#include "icd/extensions.h"
 
 namespace clearpipe::icd::entry {
 
@@ -26,7 +27,7 @@ const char* QueryDeviceStringEXT(EGLDeviceEXT device, EGLint name) noexcept {
   if (device != the_device()) return fail(EGL_BAD_DEVICE_EXT, none);
   switch (name) {
     case EGL_EXTENSIONS:
-      return succeed("EGL_EXT_device_query_name EGL_MESA_device_software");
+      return succeed(kOffered<Offered::device>.data());
     case EGL_VENDOR:
     case EGL_RENDERER_EXT:
       return succeed("clearpipe");

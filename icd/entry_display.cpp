@@ -5,6 +5,7 @@
 #include <new>
 
 #include "icd/entry.h"
+#include "icd/extensions.h"
 #include "icd/origin.h"
 #include "icd/surface.h"
 
@@ -12,10 +13,6 @@ namespace clearpipe::icd::entry {
 
 namespace {
 
-constexpr const char* kClientExtensions =
-    "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
-    "EGL_EXT_device_query EGL_EXT_platform_base EGL_KHR_client_get_all_proc_addresses "
-    "EGL_KHR_debug " PLATFORM_EXTENSIONS;
 // What a display offers: all that every one does, and what its configs allow.
 std::string extensions_of(const Display& display) {
   const auto has = [&display](EGLint surfaces) {
@@ -23,21 +20,10 @@ std::string extensions_of(const Display& display) {
       return (config.native_surfaces & surfaces) != 0;
     });
   };
-  std::string list =
-      "EGL_EXT_create_context_robustness EGL_KHR_config_attribs EGL_KHR_context_flush_control "
-      "EGL_KHR_create_context "
-      "EGL_KHR_create_context_no_error EGL_KHR_fence_sync EGL_KHR_get_all_proc_addresses "
-      "EGL_KHR_gl_colorspace EGL_KHR_gl_renderbuffer_image EGL_KHR_gl_texture_2D_image "
-      "EGL_KHR_gl_texture_cubemap_image "
-      "EGL_KHR_image_base EGL_KHR_no_config_context EGL_KHR_reusable_sync "
-      "EGL_KHR_surfaceless_context EGL_KHR_wait_sync EGL_MESA_query_driver";
-  if (has(EGL_WINDOW_BIT)) {
-    list +=
-        " EGL_EXT_buffer_age EGL_EXT_swap_buffers_with_damage EGL_KHR_partial_update "
-        "EGL_KHR_swap_buffers_with_damage";
-  }
-  // EGL_KHR_image would have images of native pixmaps, where there are any.
-  list += has(EGL_PIXMAP_BIT) ? " EGL_NOK_texture_from_pixmap" : " EGL_KHR_image";
+  std::string list = kOffered<Offered::display>.data();
+  if (has(EGL_WINDOW_BIT)) list += kOffered<Offered::windows>.data();
+  list += has(EGL_PIXMAP_BIT) ? kOffered<Offered::pixmaps>.data()
+                              : kOffered<Offered::no_pixmaps>.data();
   return list;
 }
 
@@ -159,7 +145,8 @@ const char* QueryString(EGLDisplay dpy, EGLint name) noexcept {
   const std::lock_guard<std::mutex> lock(egl_mutex());
   const char* none = nullptr;
   if (dpy == EGL_NO_DISPLAY && (name == EGL_EXTENSIONS || name == EGL_VERSION)) {
-    return succeed(name == EGL_EXTENSIONS ? kClientExtensions : "1.5 clearpipe");
+    return succeed(name == EGL_EXTENSIONS ? kOffered<Offered::client, Offered::platform>.data()
+                                          : "1.5 clearpipe");
   }
   const Display* display = initialized_display(dpy);
   if (display == nullptr) return none;

@@ -8,12 +8,6 @@
 
 namespace clearpipe::icd {
 
-// The extensions of the platforms there are.
-#define PLATFORM_EXTENSIONS                                                \
-  "EGL_EXT_platform_device EGL_EXT_platform_wayland EGL_EXT_platform_x11 " \
-  "EGL_EXT_platform_xcb EGL_KHR_platform_wayland EGL_KHR_platform_x11 "    \
-  "EGL_MESA_platform_surfaceless"
-
 // The origin that eglGetPlatformDisplay's arguments name; the EGL error, or EGL_SUCCESS.
 EGLint origin_of(EGLenum platform, void* native_display, Origin& out);
 
