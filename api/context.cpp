@@ -24,6 +24,7 @@ Context* create_context(Context* share, ContextFlags flags, SurfaceOwner* owner)
   for (TextureUnitState& unit : context->state.texture.unit) {
     unit.texture = context->default_texture;
     unit.cube_texture = context->default_cube_texture;
+    unit.external_texture = context->default_external_texture;
   }
   context->surface_owner = owner;
   context->debug.output = flags.debug;
@@ -41,7 +42,7 @@ void destroy_context(Context* context) noexcept {
   if (current == context) current = nullptr;
   const FrameClock clock = context->clock;
   delete context;
-  clock->fetch_add(1, std::memory_order_release);  // whatever became of its last frame
+  clock->advance();  // whatever became of its last frame
 }
 
 bool make_current(Context* context, const pipeline::Target& draw,

@@ -64,7 +64,16 @@ void set_targets(Context* context, const pipeline::Target& draw,
 // is shared under a handle, which OES_EGL_image takes in any context until it is destroyed. What
 // shares the image goes on sharing it after that. Finish the thread's own context before: its frame
 // may draw to the source.
-enum class ImageSource { kTexture2D, kRenderbuffer };
+enum class ImageSource {
+  kTexture2D,
+  kCubePositiveX,
+  kCubeNegativeX,
+  kCubePositiveY,
+  kCubeNegativeY,
+  kCubePositiveZ,
+  kCubeNegativeZ,
+  kRenderbuffer
+};
 enum class ImageError { kNone, kBadParameter, kBadMatch, kBadAccess, kBadAlloc };
 ImageError create_egl_image(Context* context, ImageSource source, unsigned name, int level,
                             const void* handle) noexcept;

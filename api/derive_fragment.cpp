@@ -366,6 +366,16 @@ void derive_pixel(const Context& context, pipeline::FragmentState& f) {
   }
 }
 
+// What an external texture without an EGLImage is sampled as (OES_EGL_image_external, 3.7.14).
+const pipeline::ImageRef& no_image() {
+  static const pipeline::ImageRef image = [] {
+    auto black = std::make_shared<pipeline::Image>();
+    black->levels.push_back({1, 1, {0xff000000u}});
+    return black;
+  }();
+  return image;
+}
+
 }  // namespace
 
 void derive_fragment(Context& context) {
@@ -385,12 +395,13 @@ void derive_fragment(Context& context) {
     const TextureObject& texture = *enabled_texture(from);
     unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
     unit.srgb = is_srgb(texture.level[0].internal);
-    unit.image = texture.image;
+    const bool absent = texture.level[0].width == 0;  // of an external texture
+    unit.image = absent ? no_image() : texture.image;
     if (samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }
     unit.sampler = derive_sampler(texture, from.lod_bias);
-    unit.combiner = derive_environment(from, texture.level[0].format, u);
+    unit.combiner = derive_environment(from, absent ? GL_RGBA : texture.level[0].format, u);
     if (!has_its_textures(unit.combiner, f.unit)) unit.combiner = previous_colour();
     unit.constant = from.env_colour;
   }

@@ -61,8 +61,11 @@ Triangle make_triangle(const Context& c, const Axis& x, const Axis& y, float dep
       if (!(c.vertex_state.texture_units >> u & 1)) continue;
       const TextureObject& texture = *enabled_texture(c.state.texture.unit[u]);
       const GLint* crop = texture.crop_rect;
-      t.tex_coord[u][k] = {x.coordinate(right, crop[0], crop[2], texture.level[0].width),
-                           y.coordinate(top, crop[1], crop[3], texture.level[0].height), 0, 1};
+      // An external texture may have no image.
+      const int columns = std::max(texture.level[0].width, 1);
+      const int rows = std::max(texture.level[0].height, 1);
+      t.tex_coord[u][k] = {x.coordinate(right, crop[0], crop[2], columns),
+                           y.coordinate(top, crop[1], crop[3], rows), 0, 1};
     }
   }
   return t;

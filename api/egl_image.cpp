@@ -7,6 +7,7 @@
 
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
+#include "api/texture_target.h"
 #include "api/validate_image.h"
 
 namespace clearpipe::api {
@@ -46,25 +47,43 @@ GLenum renderbuffer_format_of(GLenum internal, GLenum format) {
   return format == GL_RGBA ? GL_RGBA8_OES : format == GL_RGB ? GL_RGB8_OES : 0;
 }
 
-// Of one level (3.9 of EGL 1.5): it is there, and either the texture is complete or has no other.
-ImageError check_level(const TextureObject& texture, GLint level) {
-  if (level < 0 || level >= kTextureLevels) return ImageError::kBadMatch;
-  if (!is_complete(texture)) {
-    const auto specified = [](const TextureLevel& l) { return l.width > 0; };
-    const auto others = std::count_if(texture.level.begin() + 1, texture.level.end(), specified);
-    if (level != 0 || others != 0 || !specified(texture.level[0])) return ImageError::kBadParameter;
-  }
-  return texture.level[static_cast<size_t>(level)].width > 0 ? ImageError::kNone
-                                                             : ImageError::kBadMatch;
+GLenum image_target_of(ImageSource source) {
+  if (source == ImageSource::kTexture2D) return GL_TEXTURE_2D;
+  return GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + static_cast<GLenum>(source) -
+         static_cast<GLenum>(ImageSource::kCubePositiveX);
 }
 
-ImageError share_texture(const Context& c, GLuint name, GLint level, EglImagePtr& out) {
+// Of one image (3.9 of EGL 1.5): it is there, and either the texture is complete or has no other
+// level. All faces of a cube map count.
+ImageError check_level(const TextureObject& texture, GLenum image, GLint level) {
+  if (level < 0 || level >= kTextureLevels) return ImageError::kBadMatch;
+  if (!is_complete(texture)) {
+    bool bases = true, others = false;
+    for (size_t i = 0; i < texture.level.size(); ++i) {
+      const bool specified = texture.level[i].width > 0;
+      const bool counts = texture.target == GL_TEXTURE_CUBE_MAP_OES || i < kTextureLevels;
+      if (i % kTextureLevels != 0) {
+        others = others || specified;
+      } else if (counts) {
+        bases = bases && specified;
+      }
+    }
+    if (level != 0 || others || !bases) return ImageError::kBadParameter;
+  }
+  return texture.level[image_index(image, level)].width > 0 ? ImageError::kNone
+                                                            : ImageError::kBadMatch;
+}
+
+ImageError share_texture(const Context& c, GLenum image, GLuint name, GLint level,
+                         EglImagePtr& out) {
   const TexturePtr texture = c.share->textures.find(name);
-  if (!texture || texture->target != GL_TEXTURE_2D) return ImageError::kBadParameter;
-  if (const ImageError error = check_level(*texture, level); error != ImageError::kNone) {
+  const GLenum target = is_cube_face(image) ? GL_TEXTURE_CUBE_MAP_OES : GL_TEXTURE_2D;
+  if (!texture || texture->target != target) return ImageError::kBadParameter;
+  if (const ImageError error = check_level(*texture, image, level); error != ImageError::kNone) {
     return error;
   }
-  TextureLevel& from = texture->level[static_cast<size_t>(level)];
+  const size_t index = image_index(image, level);
+  TextureLevel& from = texture->level[index];
   if (is_shared(from.sibling) || texture->surface) return ImageError::kBadAccess;
   refresh(*texture);
   out = std::make_shared<EglImage>();
@@ -73,7 +92,7 @@ ImageError share_texture(const Context& c, GLuint name, GLint level, EglImagePtr
   out->internal = from.internal;
   out->format = from.format;
   out->renderbuffer_internal = renderbuffer_format_of(from.internal, from.format);
-  out->memory = texture->image->levels[static_cast<size_t>(level)].texels.memory();
+  out->memory = texture->image->levels[index].texels.memory();
   out->uses = texture->uses;
   from.sibling = out;
   texture->has_siblings = true;
@@ -111,9 +130,10 @@ ImageError create_egl_image(Context* context, ImageSource source, unsigned name,
                             const void* handle) noexcept try {
   const std::lock_guard<std::mutex> lock(context->share->mutex);
   EglImagePtr image;
-  const ImageError error = source == ImageSource::kTexture2D
-                               ? share_texture(*context, name, level, image)
-                               : share_renderbuffer(*context, name, image);
+  const ImageError error =
+      source == ImageSource::kRenderbuffer
+          ? share_renderbuffer(*context, name, image)
+          : share_texture(*context, image_target_of(source), name, level, image);
   if (error != ImageError::kNone) return error;
   const ImageLock table_lock(table().mutex);
   table().images[handle] = std::move(image);
@@ -256,10 +276,10 @@ constexpr Invalid kNoImage{GL_INVALID_VALUE,
 
 namespace exec {
 
-void egl_image_target_texture(Context& c, GLenum, const void* handle) {
+void egl_image_target_texture(Context& c, GLenum target, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
   if (!image) return c.set_error(kNoImage);
-  TextureObject& texture = *c.active_unit().texture;
+  TextureObject& texture = *bound_texture(c, target);
   finish_drawing_to(c, texture);
   auto levels = std::make_shared<pipeline::Image>();
   levels->levels.resize(1);
@@ -305,8 +325,9 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
 namespace validate {
 
 Invalid egl_image_target_texture(const Context& c, GLenum target, const void* handle) {
-  if (target != GL_TEXTURE_2D) {
-    return {GL_INVALID_ENUM, "{0} is not TEXTURE_2D (OES_EGL_image, 3.8.2)"};
+  if (target != GL_TEXTURE_2D && target != GL_TEXTURE_EXTERNAL_OES) {
+    return {GL_INVALID_ENUM,
+            "{0} is neither TEXTURE_2D nor TEXTURE_EXTERNAL_OES (OES_EGL_image, 3.8.2)"};
   }
   const EglImagePtr image = find_egl_image(handle);
   if (!image) return kNoImage;

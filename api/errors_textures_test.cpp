@@ -109,6 +109,44 @@ TEST_F(TextureErrors, EncodedImages) {
   expect_refused(kRead);
 }
 
+// Nothing but an EGLImage gives an external texture an image, and it has one level.
+TEST_F(TextureErrors, ExternalTextures) {
+  static constexpr GLenum kExternal = GL_TEXTURE_EXTERNAL_OES, kFb = GL_FRAMEBUFFER_OES;
+  static constexpr GLenum kPoint = GL_COLOR_ATTACHMENT0_OES;
+  static constexpr GLfloat kTrue = 1;
+  glBindTexture(kExternal, kPlain);
+  glBindFramebufferOES(kFb, 30);
+  const ErrorCase kCases[] = {
+      REFUSED(GL_INVALID_ENUM, image(kExternal, 0, 4, 4)),
+      REFUSED(GL_INVALID_ENUM, part(kExternal, 0, 0, 1)),
+      REFUSED(GL_INVALID_ENUM, copy(kExternal, 4, 4)),
+      REFUSED(GL_INVALID_ENUM, glCopyTexSubImage2D(kExternal, 0, 0, 0, 0, 0, 1, 1)),
+      REFUSED(GL_INVALID_ENUM, glCompressedTexImage2D(kExternal, 0, kEtc1, 4, 4, 0, 8, f)),
+      REFUSED(GL_INVALID_ENUM, glCompressedTexSubImage2D(kExternal, 0, 0, 0, 4, 4, kEtc1, 8, f)),
+      REFUSED(GL_INVALID_ENUM, glTexStorage2DEXT(kExternal, 1, GL_RGBA8_OES, 4, 4)),
+      REFUSED(GL_INVALID_ENUM, glGenerateMipmapOES(kExternal)),
+      REFUSED(GL_INVALID_ENUM,
+              glTexParameteri(kExternal, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR)),
+      REFUSED(GL_INVALID_ENUM,
+              glTexParameterx(kExternal, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST)),
+      REFUSED(GL_INVALID_ENUM, glTexParameteri(kExternal, GL_TEXTURE_WRAP_S, GL_REPEAT)),
+      REFUSED(GL_INVALID_ENUM,
+              glTexParameteri(kExternal, GL_TEXTURE_WRAP_T, GL_MIRRORED_REPEAT_OES)),
+      REFUSED(GL_INVALID_ENUM, glTexParameterfv(kExternal, GL_GENERATE_MIPMAP, &kTrue)),
+      REFUSED(GL_INVALID_ENUM, glTexParameteri(kExternal, GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, 1)),
+      REFUSED(GL_INVALID_OPERATION, glBindTexture(kExternal, 1)),
+      REFUSED(GL_INVALID_OPERATION, glBindTexture(k2D, kPlain)),
+      REFUSED(GL_INVALID_OPERATION, glBindTexture(kCube, kPlain)),
+      REFUSED(GL_INVALID_VALUE, glEGLImageTargetTexture2DOES(kExternal, nullptr)),
+      REFUSED(GL_INVALID_ENUM, glFramebufferTexture2DOES(kFb, kPoint, kExternal, kPlain, 0)),
+      REFUSED(GL_INVALID_OPERATION, glFramebufferTexture2DOES(kFb, kPoint, k2D, kPlain, 0)),
+      REFUSED(GL_INVALID_OPERATION, glFramebufferTexture2DOES(kFb, kPoint, kFace, kPlain, 0)),
+  };
+  expect_refused(kCases);
+  glTexParameteri(kExternal, GL_GENERATE_MIPMAP, GL_FALSE);  // what it is
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST_F(TextureErrors, FacesAsAttachments) {
   static constexpr GLenum kFb = GL_FRAMEBUFFER_OES, kPoint = GL_COLOR_ATTACHMENT0_OES;
   glBindTexture(kCube, kCubeMap);

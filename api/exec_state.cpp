@@ -46,6 +46,8 @@ Capability capability(Context& c, GLenum cap) {
       return {&s.multisample.coverage, kDirtyFragment};
     case GL_TEXTURE_2D:
       return {&c.active_unit().enabled, kDirtyTexture};
+    case GL_TEXTURE_EXTERNAL_OES:
+      return {&c.active_unit().external_enabled, kDirtyTexture};
     case GL_TEXTURE_CUBE_MAP_OES:
       return {&c.active_unit().cube_enabled, kDirtyTexture};
     case GL_TEXTURE_GEN_STR_OES:

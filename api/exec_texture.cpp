@@ -1,8 +1,6 @@
 // Texture objects, their parameters, the texture environment (3.7.5, 3.7.11, 3.7.12), and generated
 // texture coordinates.
 // SPDX-License-Identifier: MIT
-#include <utility>
-
 #include "api/exec.h"
 #include "api/framebuffer.h"
 #include "api/texture_target.h"
@@ -14,12 +12,15 @@ void active_texture(Context& c, GLenum texture) {
 }
 
 void bind_texture(Context& c, GLenum target, GLuint name) {
-  const bool cube = target == GL_TEXTURE_CUBE_MAP_OES;
-  TexturePtr texture = name != 0 ? c.share->textures.bind(name)
-                       : cube    ? c.default_cube_texture
-                                 : c.default_texture;
-  texture->target = target;
-  (cube ? c.active_unit().cube_texture : c.active_unit().texture) = std::move(texture);
+  TextureUnitState& unit = c.active_unit();
+  TexturePtr& bound = target == GL_TEXTURE_2D             ? unit.texture
+                      : target == GL_TEXTURE_EXTERNAL_OES ? unit.external_texture
+                                                          : unit.cube_texture;
+  bound = name != 0                           ? c.share->textures.bind(name)
+          : target == GL_TEXTURE_2D           ? c.default_texture
+          : target == GL_TEXTURE_EXTERNAL_OES ? c.default_external_texture
+                                              : c.default_cube_texture;
+  bound->set_target(target);
   c.dirty |= kDirtyTexture;
 }
 
@@ -34,6 +35,7 @@ void delete_textures(Context& c, GLsizei n, const GLuint* names) {
     for (TextureUnitState& unit : c.state.texture.unit) {
       if (unit.texture == texture) unit.texture = c.default_texture;
       if (unit.cube_texture == texture) unit.cube_texture = c.default_cube_texture;
+      if (unit.external_texture == texture) unit.external_texture = c.default_external_texture;
     }
     detach(c, texture);
     c.share->textures.erase(names[i]);

@@ -50,6 +50,32 @@ class FramebufferObjects : public CallTest {
   }
 };
 
+// A line leaves the diamond it starts in, and not the one it ends in (3.4.1): from the centre of a
+// pixel it draws that pixel, and not the pixel at whose centre it ends; upside down too.
+TEST_F(FramebufferObjects, LinesStartWithTheirFirstPixel) {
+  glOrthof(0, kSize, 0, kSize, -1, 1);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  for (const bool object : {false, true}) {
+    if (object) {
+      framebuffer();
+      attach_renderbuffer(kColourPoint, GL_RGBA8_OES);
+    }
+    for (int dy = -4; dy <= 4; ++dy) {
+      for (int dx = -4; dx <= 4; ++dx) {
+        if (dx == 0 && dy == 0) continue;
+        const float ends[] = {8.5f, 8.5f, 8.5f + static_cast<float>(dx),
+                              8.5f + static_cast<float>(dy)};
+        glVertexPointer(2, GL_FLOAT, 0, ends);
+        clear_to(0, 0, 0);
+        glDrawArrays(GL_LINES, 0, 2);
+        EXPECT_EQ(pixel(8, 8), kWhite) << object << ": " << dx << ", " << dy;
+        EXPECT_NE(pixel(8 + dx, 8 + dy), kWhite) << object << ": " << dx << ", " << dy;
+      }
+    }
+  }
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
 TEST_F(FramebufferObjects, NamesLiveFromFirstBindToDeletion) {
   GLuint names[2] = {};
   glGenFramebuffersOES(2, names);

@@ -55,7 +55,17 @@ bool has_mipmap(const TextureObject& texture) {
   return cube ? std::all_of(kFaces.begin(), kFaces.end(), has_levels) : has_levels(0);
 }
 
+// An external texture has other parameters at first (OES_EGL_image_external).
+void TextureObject::set_target(GLenum t) {
+  if (target == t) return;
+  target = t;
+  if (target != GL_TEXTURE_EXTERNAL_OES) return;
+  min_filter = GL_LINEAR;
+  wrap_s = wrap_t = GL_CLAMP_TO_EDGE;
+}
+
 bool is_complete(const TextureObject& texture) {
+  if (texture.target == GL_TEXTURE_EXTERNAL_OES) return true;  // black without an EGLImage
   if (is_mipmap_filter(texture.min_filter)) return has_mipmap(texture);
   if (texture.target == GL_TEXTURE_CUBE_MAP_OES) return is_cube_complete(texture);
   return texture.level[0].width > 0 && texture.level[0].height > 0;

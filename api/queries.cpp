@@ -173,7 +173,8 @@ Invalid get_tex_parameter(const Context&, GLenum target, GLenum pname, const Out
       pname == GL_TEXTURE_MIN_FILTER || pname == GL_TEXTURE_MAG_FILTER ||
           pname == GL_TEXTURE_WRAP_S || pname == GL_TEXTURE_WRAP_T || pname == GL_GENERATE_MIPMAP ||
           pname == GL_TEXTURE_CROP_RECT_OES || pname == GL_TEXTURE_IMMUTABLE_FORMAT_EXT ||
-          pname == GL_TEXTURE_MAX_LEVEL_APPLE || pname == GL_TEXTURE_MAX_ANISOTROPY_EXT,
+          pname == GL_TEXTURE_MAX_LEVEL_APPLE || pname == GL_TEXTURE_MAX_ANISOTROPY_EXT ||
+          pname == GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES,
       "{1} is no parameter of textures (6.1.3, table 6.14)");
 }
 
@@ -351,6 +352,9 @@ void get_tex_parameter(Context& c, GLenum target, GLenum pname, const Out& out) 
       break;
     case GL_TEXTURE_WRAP_T:
       out.enumerant(0, t.wrap_t);
+      break;
+    case GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES:
+      out.integer(0, 1);
       break;
     case GL_TEXTURE_IMMUTABLE_FORMAT_EXT:
       out.boolean(0, t.storage_levels > 0);

@@ -155,8 +155,8 @@ struct MultisampleState {
 // Tables 6.13 and 6.15: binding and texture environment of one unit; cube maps and generated
 // coordinates are those of OES_texture_cube_map.
 struct TextureUnitState {
-  bool enabled = false, cube_enabled = false;
-  TexturePtr texture, cube_texture;
+  bool enabled = false, cube_enabled = false, external_enabled = false;
+  TexturePtr texture, cube_texture, external_texture;
   bool gen_str = false;
   GLenum gen_mode = GL_REFLECTION_MAP_OES;
   GLenum env_mode = GL_MODULATE;

@@ -1,5 +1,6 @@
 // The targets of textures: of a texture as a whole (3.7.5, 3.7.11), and of its images (3.7.1),
-// which are six for a cube map (OES_texture_cube_map). SPDX-License-Identifier: MIT
+// which are six for a cube map (OES_texture_cube_map). An external texture has none but that of an
+// EGLImage (OES_EGL_image_external). SPDX-License-Identifier: MIT
 #pragma once
 
 #include "api/context_state.h"
@@ -7,7 +8,8 @@
 namespace clearpipe::api {
 
 inline bool is_texture_target(GLenum target) {
-  return target == GL_TEXTURE_2D || target == GL_TEXTURE_CUBE_MAP_OES;
+  return target == GL_TEXTURE_2D || target == GL_TEXTURE_CUBE_MAP_OES ||
+         target == GL_TEXTURE_EXTERNAL_OES;
 }
 
 inline bool is_cube_face(GLenum target) {
@@ -26,16 +28,21 @@ inline size_t image_index(GLenum image_target, GLint level) {
   return face * kTextureLevels + static_cast<size_t>(level);
 }
 
-// The texture bound to a target of either kind in the active unit.
+// The texture bound to a target in the active unit.
 inline const TexturePtr& bound_texture(const Context& c, GLenum target) {
   const TextureUnitState& unit = c.active_unit();
-  return target == GL_TEXTURE_2D ? unit.texture : unit.cube_texture;
+  return target == GL_TEXTURE_2D             ? unit.texture
+         : target == GL_TEXTURE_EXTERNAL_OES ? unit.external_texture
+                                             : unit.cube_texture;
 }
 
-// The texture that a unit samples if it is complete: a cube map goes first. Null: texturing is
-// disabled.
+// The texture that a unit samples if it is complete: an external one goes first, then a cube map.
+// Null: texturing is disabled.
 inline TextureObject* enabled_texture(const TextureUnitState& unit) {
-  return unit.cube_enabled ? unit.cube_texture.get() : unit.enabled ? unit.texture.get() : nullptr;
+  return unit.external_enabled ? unit.external_texture.get()
+         : unit.cube_enabled   ? unit.cube_texture.get()
+         : unit.enabled        ? unit.texture.get()
+                               : nullptr;
 }
 
 }  // namespace clearpipe::api

@@ -102,7 +102,8 @@ Invalid framebuffer_texture(const Context& c, GLenum target, GLenum point, GLenu
   if (name == 0) return {};
   if (const Invalid wrong = image_target(texture_target)) return wrong.from(2);
   const TexturePtr texture = c.share->textures.find(name);
-  if (!texture || (texture->target == GL_TEXTURE_2D) != (texture_target == GL_TEXTURE_2D)) {
+  const GLenum whole = is_cube_face(texture_target) ? GL_TEXTURE_CUBE_MAP_OES : texture_target;
+  if (!texture || texture->target != whole) {
     return {GL_INVALID_OPERATION,
             "{3} is no texture with such an image (OES_framebuffer_object, 4.4.2.3)"};
   }
@@ -162,7 +163,7 @@ Invalid discard_framebuffer(const Context& c, GLenum target, GLsizei n, const GL
 }
 
 Invalid generate_mipmap(const Context& c, GLenum target) {
-  if (const Invalid wrong = texture_target(target)) return wrong;
+  if (const Invalid wrong = specified_target(target)) return wrong;
   const TextureObject& texture = *bound_texture(c, target);
   if (target == GL_TEXTURE_CUBE_MAP_OES && !is_cube_complete(texture)) {
     return {GL_INVALID_OPERATION,

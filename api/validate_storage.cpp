@@ -33,7 +33,7 @@ Invalid immutable_texture(const Context& c, GLuint name, const TextureObject*& t
 
 Invalid tex_storage(const Context& c, GLenum target, GLsizei levels, GLenum internal, GLsizei width,
                     GLsizei height) {
-  if (const Invalid wrong = texture_target(target)) return wrong;
+  if (const Invalid wrong = specified_target(target)) return wrong;
   if (storage_format(internal).base == 0) {
     return {GL_INVALID_ENUM, "{2} is no sized or compressed format (EXT_texture_storage)"};
   }

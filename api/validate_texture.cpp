@@ -23,6 +23,21 @@ Invalid combine_function(GLenum value) {
                      "{2} is no function of this combiner (3.7.12, table 3.17)");
 }
 
+// External textures have one level, and never repeat (OES_EGL_image_external, 3.7.14).
+bool external_takes(GLenum pname, const Params& p) {
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER:
+      return p.enumerant() == GL_NEAREST || p.enumerant() == GL_LINEAR;
+    case GL_TEXTURE_WRAP_S:
+    case GL_TEXTURE_WRAP_T:
+      return p.enumerant() == GL_CLAMP_TO_EDGE;
+    case GL_GENERATE_MIPMAP:
+      return !p.boolean();
+    default:
+      return true;
+  }
+}
+
 }  // namespace
 
 Invalid pixel_store(const Context&, GLenum pname, GLint param) {
@@ -36,6 +51,11 @@ Invalid pixel_store(const Context&, GLenum pname, GLint param) {
 
 Invalid texture_target(GLenum target) {
   return enum_unless(is_texture_target(target), "{0} is no target of textures (3.7)");
+}
+
+Invalid specified_target(GLenum target) {
+  return enum_unless(is_texture_target(target) && target != GL_TEXTURE_EXTERNAL_OES,
+                     "{0} is no target of textures with images of their own (3.7)");
 }
 
 Invalid bind_texture(const Context& c, GLenum target, GLuint name) {
@@ -52,6 +72,10 @@ Invalid names(const Context&, GLsizei n, const GLuint*) {
 Invalid tex_parameter(const Context&, GLenum target, GLenum pname, const Params& p) {
   if (const Invalid wrong = texture_target(target)) return wrong;
   const GLenum value = p.enumerant();
+  if (target == GL_TEXTURE_EXTERNAL_OES && !external_takes(pname, p)) {
+    return {GL_INVALID_ENUM,
+            "{2} is nothing that external textures take (OES_EGL_image_external, 3.7.14)"};
+  }
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
       return enum_unless(

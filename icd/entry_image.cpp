@@ -15,6 +15,18 @@ std::optional<api::ImageSource> source_of(EGLenum target) {  // table 3.10
   switch (target) {
     case EGL_GL_TEXTURE_2D:
       return api::ImageSource::kTexture2D;
+    case EGL_GL_TEXTURE_CUBE_MAP_POSITIVE_X:
+      return api::ImageSource::kCubePositiveX;
+    case EGL_GL_TEXTURE_CUBE_MAP_NEGATIVE_X:
+      return api::ImageSource::kCubeNegativeX;
+    case EGL_GL_TEXTURE_CUBE_MAP_POSITIVE_Y:
+      return api::ImageSource::kCubePositiveY;
+    case EGL_GL_TEXTURE_CUBE_MAP_NEGATIVE_Y:
+      return api::ImageSource::kCubeNegativeY;
+    case EGL_GL_TEXTURE_CUBE_MAP_POSITIVE_Z:
+      return api::ImageSource::kCubePositiveZ;
+    case EGL_GL_TEXTURE_CUBE_MAP_NEGATIVE_Z:
+      return api::ImageSource::kCubeNegativeZ;
     case EGL_GL_RENDERBUFFER:
       return api::ImageSource::kRenderbuffer;
     default:

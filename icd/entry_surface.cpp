@@ -4,6 +4,7 @@
 #include <new>
 
 #include "icd/entry.h"
+#include "icd/origin.h"
 #include "icd/surface.h"
 
 namespace clearpipe::icd::entry {
@@ -18,6 +19,9 @@ EGLSurface create_native(Surface::Kind kind, EGLDisplay dpy, EGLConfig config, v
   const std::lock_guard<std::mutex> lock(egl_mutex());
   Display* display = initialized_display(dpy);
   if (display == nullptr) return EGL_NO_SURFACE;
+  if (!has_native_surfaces(display->origin)) {  // whatever the arguments are
+    return fail(is_window ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP, EGL_NO_SURFACE);
+  }
   auto surface = std::make_unique<Surface>();
   surface->config = display->config(config);
   surface->kind = kind;

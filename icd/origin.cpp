@@ -85,6 +85,11 @@ bool is_screen_attribute(EGLenum platform, EGLAttrib attribute) {
          (platform == EGL_PLATFORM_XCB_EXT && attribute == EGL_PLATFORM_XCB_SCREEN_EXT);
 }
 
+bool has_native_surfaces(const Origin& origin) {
+  return origin.platform != EGL_PLATFORM_SURFACELESS_MESA &&
+         origin.platform != EGL_PLATFORM_DEVICE_EXT;
+}
+
 std::optional<Origin> detect_origin(void* native_display) {
   EGLenum platform = platform_of_environment();
   if (platform == EGL_NONE) {

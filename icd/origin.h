@@ -20,6 +20,10 @@ EGLint origin_of(EGLenum platform, void* native_display, Origin& out);
 // Whether it is the attribute that chooses a screen of the platform.
 bool is_screen_attribute(EGLenum platform, EGLAttrib attribute);
 
+// Whether its displays have windows or pixmaps. Those of EGL_MESA_platform_surfaceless and
+// EGL_EXT_platform_device do not.
+bool has_native_surfaces(const Origin& origin);
+
 // What eglGetDisplay's argument is: as $EGL_PLATFORM says, else as it looks; for
 // EGL_DEFAULT_DISPLAY a window system that can be reached, else none. None at all: nothing that is
 // known.

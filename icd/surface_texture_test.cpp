@@ -85,7 +85,7 @@ TEST_F(SurfaceTextureTest, Attributes) {
   EXPECT_EQ(query(surface, EGL_MIPMAP_TEXTURE), EGL_TRUE);
   config = choose({EGL_ALPHA_SIZE, 0});
   EXPECT_NE(texture_pbuffer(EGL_TEXTURE_RGB), EGL_NO_SURFACE);
-  EXPECT_EGL_FAIL(texture_pbuffer(EGL_TEXTURE_RGBA), EGL_NO_SURFACE, EGL_BAD_MATCH);
+  EXPECT_NE(texture_pbuffer(EGL_TEXTURE_RGBA), EGL_NO_SURFACE);
 }
 
 TEST_F(SurfaceTextureTest, Errors) {
@@ -133,6 +133,19 @@ TEST_F(SurfaceTextureTest, FormatWithoutAlpha) {
   EXPECT_EQ(look() >> 24, 0u);
   glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
   EXPECT_EQ(look() >> 24, 255u);
+}
+
+// A surface without alpha makes opaque textures of RGBA.
+TEST_F(SurfaceTextureTest, SurfaceWithoutAlpha) {
+  config = choose({EGL_ALPHA_SIZE, 0});
+  const EGLSurface surface = texture_pbuffer(EGL_TEXTURE_RGBA);
+  const EGLContext opaque = context(context_);
+  ASSERT_TRUE(eglMakeCurrent(display, surface, surface, opaque));
+  clear(kBlue & 0x20ffffffu);
+  ASSERT_TRUE(eglMakeCurrent(display, screen_, screen_, context_));
+  new_texture();
+  EXPECT_EGL_OK(bind(surface));
+  EXPECT_EQ(look(), kBlue);
 }
 
 // Specified otherwise or deleted, the texture releases the surface (3.6.1).

@@ -73,6 +73,26 @@ std::vector<Vertex> rectangle(float x0, float y0, float x1, float y1, float z, f
   return {a, b, c, a, c, d};
 }
 
+std::vector<Vertex> lines_between_pixels() {
+  constexpr int kReach = 4, kCell = 12, kQuarter = 128;
+  std::vector<Vertex> lines;
+  for (int place = 0; place < 4; ++place) {
+    const float offset = 0.25f * static_cast<float>(place);
+    for (int dy = -kReach; dy <= kReach; ++dy) {
+      for (int dx = -kReach; dx <= kReach; ++dx) {
+        Vertex from;
+        from.x = static_cast<float>(kQuarter * (place % 2) + kCell * (dx + kReach) + 9) + offset;
+        from.y = static_cast<float>(kQuarter * (place / 2) + kCell * (dy + kReach) + 9) + offset;
+        Vertex to = from;
+        to.x += static_cast<float>(dx);
+        to.y += static_cast<float>(dy);
+        lines.insert(lines.end(), {from, to});
+      }
+    }
+  }
+  return lines;
+}
+
 std::vector<Vertex> coloured(std::vector<Vertex> vertices, uint8_t r, uint8_t g, uint8_t b,
                              uint8_t a) {
   for (Vertex& v : vertices) {

@@ -58,6 +58,10 @@ std::vector<Vertex> rectangle(float x0, float y0, float x1, float y1, float z = 
 std::vector<Vertex> coloured(std::vector<Vertex> vertices, uint8_t r, uint8_t g, uint8_t b,
                              uint8_t a = 255);
 
+// Short lines in all directions from and to centres of pixels, corners of pixels and borders of
+// diamonds, where the diamond-exit rule (3.4.1) decides: none touches another.
+std::vector<Vertex> lines_between_pixels();
+
 // A sphere around the origin with normals and texture coordinates, as triangles.
 std::vector<Vertex> sphere(float radius, int slices, int stacks);
 

@@ -56,6 +56,8 @@ SCENE(primitives, points_wide, kExact) {
 
 SCENE(primitives, lines, kExact) { draw_flat(gl, GL_LINES, random_vertices(4, 80)); }
 
+SCENE(primitives, lines_between_pixels, kExact) { draw_flat(gl, GL_LINES, lines_between_pixels()); }
+
 SCENE(primitives, line_strip, kExact) { draw_flat(gl, GL_LINE_STRIP, random_vertices(5, 40)); }
 
 SCENE(primitives, line_loop, kExact) { draw_flat(gl, GL_LINE_LOOP, ring(17, 100)); }

@@ -109,11 +109,14 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
   const float slope = x_major ? dy / dx : dx / dy;
   const float direction = (x_major ? dx : dy) > 0 ? 1.0f : -1.0f;
 
-  // The plain parallelogram covers the columns whose centre lies between the end points. Where that
+  // The plain parallelogram covers the columns whose centre lies between the end points, and that
+  // which lies on its left or lower border: the start's or the end's, as the line goes. Where that
   // differs from the rule, the end moves to the column's border.
   const EndPoint s(start), e(end);
-  const bool start_covered = s.major * direction <= 0;
-  const bool end_covered = e.major * direction > 0;
+  const bool counts_down = !x_major && state.mirror_height > 0;
+  const bool starts_at_lower = (direction > 0) != counts_down;
+  const bool start_covered = s.major == 0 ? starts_at_lower : s.major * direction < 0;
+  const bool end_covered = e.major == 0 ? !starts_at_lower : e.major * direction > 0;
   const bool start_drawn = start_is_drawn(s, direction);
   const bool end_drawn = end_is_drawn(e, direction);
   if (start_covered != start_drawn) {
