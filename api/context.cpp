@@ -42,7 +42,7 @@ void destroy_context(Context* context) noexcept {
   if (current == context) current = nullptr;
   const FrameClock clock = context->clock;
   delete context;
-  clock->fetch_add(1, std::memory_order_release);  // whatever became of its last frame
+  clock->advance();  // whatever became of its last frame
 }
 
 bool make_current(Context* context, const pipeline::Target& draw,

@@ -59,7 +59,7 @@ struct Context {
   pipeline::RasterState raster_state;
   pipeline::FragmentState fragment_state;
   std::array<uint64_t, kTextureUnits> texture_version{};  // derived from, per unit
-  FrameClock clock = std::make_shared<std::atomic<uint64_t>>(0);
+  FrameClock clock = std::make_shared<FrameCounter>();
   std::string renderer;
 
   TextureUnitState& active_unit() {
@@ -73,7 +73,7 @@ struct Context {
   // Executes the frame. The only way to do it from api/: the clock goes on only when it succeeded.
   void finish_frame() {
     frame.finish();
-    clock->fetch_add(1, std::memory_order_release);
+    clock->advance();
   }
   void finish_frame(Slow why) {
     if (!frame.empty()) note_slow(why);

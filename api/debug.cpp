@@ -125,6 +125,8 @@ std::string* find_label(Context& c, GLenum identifier, GLuint name) {
     case GL_VERTEX_ARRAY_KHR:
     case GL_VERTEX_ARRAY_OBJECT_EXT:
       return label(c.vertex_arrays.find(name));
+    case GL_SYNC_OBJECT_APPLE:
+      return label(c.share->syncs.find(name));
     default:
       return nullptr;  // kinds of objects that OpenGL ES 1.1 does not have
   }

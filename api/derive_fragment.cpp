@@ -6,6 +6,7 @@
 
 #include "api/context_state.h"
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/texture_target.h"
 
 namespace clearpipe::api {
@@ -395,6 +396,7 @@ void derive_fragment(Context& context) {
     unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
     const bool absent = texture.level[0].width == 0;  // of an external texture
     unit.image = absent ? no_image() : texture.image;
+    unit.srgb = is_srgb(texture.level[0].internal);
     if (samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }

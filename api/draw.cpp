@@ -12,6 +12,7 @@
 #include "api/framebuffer.h"
 #include "api/pixel_format.h"
 #include "api/texture_target.h"
+#include "pipeline/srgb.h"
 
 namespace clearpipe::api {
 
@@ -236,7 +237,8 @@ void clear(Context& c, GLbitfield mask) {
   command.depth = (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
   command.stencil = (mask & GL_STENCIL_BUFFER_BIT) && planes && planes->has_stencil;
   const bool has_alpha = c.draw.colour && c.draw.colour->has_alpha;
-  command.colour_value = unorm8(colour.x) | unorm8(colour.y) << 8 | unorm8(colour.z) << 16 |
+  const auto stored = c.draw.colour && c.draw.colour->srgb ? pipeline::linear_to_srgb : unorm8;
+  command.colour_value = stored(colour.x) | stored(colour.y) << 8 | stored(colour.z) << 16 |
                          (has_alpha ? unorm8(colour.w) : 255u) << 24;
   command.colour_mask = 0;
   for (unsigned i = 0; i < 4; ++i) {

@@ -43,6 +43,7 @@ bool is_shared(const EglImagePtr& sibling) { return sibling && sibling.use_count
 // What a renderbuffer over the image would be made of.
 GLenum renderbuffer_format_of(GLenum internal, GLenum format) {
   if (base_format(internal) == 0) return 0;  // compressed
+  if (is_srgb(internal)) return internal == GL_SRGB_ALPHA_EXT ? GL_SRGB8_ALPHA8_EXT : 0;
   return format == GL_RGBA ? GL_RGBA8_OES : format == GL_RGB ? GL_RGB8_OES : 0;
 }
 
@@ -114,7 +115,8 @@ ImageError share_renderbuffer(const Context& c, GLuint name, EglImagePtr& out) {
   if (renderbuffer->colour) {
     auto rows = std::make_shared<pipeline::ColourBuffer>(*renderbuffer->colour);
     if (!pipeline::lay_out_in_rows(*rows)) return ImageError::kBadAlloc;
-    out->internal = out->format = rows->has_alpha ? GL_RGBA : GL_RGB;
+    out->format = rows->has_alpha ? GL_RGBA : GL_RGB;
+    out->internal = rows->srgb ? GL_SRGB_ALPHA_EXT : out->format;
     out->memory = rows->pixels;
     renderbuffer->colour = std::move(rows);
   }
@@ -306,6 +308,7 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
     colour->height = image->height;
     colour->pixels = image->memory;
     colour->has_alpha = image->format == GL_RGBA;
+    colour->srgb = is_srgb(image->internal);
   }
   RenderbufferObject& r = *c.renderbuffer;
   r.width = image->width;

@@ -31,7 +31,7 @@ constexpr Group kGroups[] = {
     {"texture", true},     {"buffer", true},    {"draw", true},    {"array", false},
     {"current", false},    {"fragment", false}, {"frame", false},  {"light", false},
     {"matrix", false},     {"query", false},    {"raster", false}, {"state", false},
-    {"framebuffer", true}, {"label", true},     {"debug", false},
+    {"framebuffer", true}, {"label", true},     {"debug", false},  {"sync", true},
 };
 consteval bool locks(std::string_view group) {
   for (const Group& g : kGroups) {

@@ -103,6 +103,7 @@ TEST_F(ExtensionErrors, DebugOutput) {
   static const std::string too_long(4096, 'x');
   static const GLuint id = 1;
   static void* pointer = &pointer;
+  static const GLsync sync = glFenceSyncAPPLE(GL_SYNC_GPU_COMMANDS_COMPLETE_APPLE, 0);
   static GLsizei length = 7;
   static char text[] = "?";
   const ErrorCase kCases[] = {
@@ -143,7 +144,9 @@ TEST_F(ExtensionErrors, DebugOutput) {
       REFUSED(GL_INVALID_VALUE, glGetObjectLabelKHR(GL_TEXTURE, 77, 1, &length, text)),
       REFUSED(GL_INVALID_VALUE, glGetObjectLabelKHR(GL_TEXTURE, 1, -1, &length, text)),
       REFUSED(GL_INVALID_VALUE, glObjectPtrLabelKHR(&id, 1, text)),
+      REFUSED(GL_INVALID_VALUE, glObjectPtrLabelKHR(sync, 256, too_long.c_str())),
       REFUSED(GL_INVALID_VALUE, glGetObjectPtrLabelKHR(&id, 1, &length, text)),
+      REFUSED(GL_INVALID_VALUE, glGetObjectPtrLabelKHR(sync, -1, &length, text)),
       REFUSED(GL_INVALID_ENUM, glGetPointervKHR(GL_DEBUG_OUTPUT_KHR, &pointer)),
   };
   expect_refused(kCases);
@@ -189,6 +192,41 @@ TEST_F(ExtensionErrors, Fences) {
   EXPECT_TRUE(glIsFenceNV(1));
   EXPECT_FALSE(glIsFenceNV(2));
   EXPECT_EQ(status, 7);
+}
+
+TEST_F(ExtensionErrors, SyncObjects) {
+  static constexpr GLenum kComplete = GL_SYNC_GPU_COMMANDS_COMPLETE_APPLE;
+  static const GLsync sync = glFenceSyncAPPLE(kComplete, 0);
+  static const auto none = reinterpret_cast<GLsync>(uintptr_t{77});
+  static const auto far =
+      reinterpret_cast<GLsync>(reinterpret_cast<uintptr_t>(sync) + (1ull << 32));
+  static GLint value = 7;
+  const auto wait = [](GLsync s, GLbitfield flags) {
+    EXPECT_EQ(glClientWaitSyncAPPLE(s, flags, 0), GLenum{GL_WAIT_FAILED_APPLE});
+  };
+  static const auto client_wait = wait;
+  const ErrorCase kCases[] = {
+    REFUSED(GL_INVALID_ENUM, EXPECT_FALSE(glFenceSyncAPPLE(GL_SYNC_FENCE_APPLE, 0))),
+    REFUSED(GL_INVALID_VALUE, EXPECT_FALSE(glFenceSyncAPPLE(kComplete, 1))),
+    REFUSED(GL_INVALID_VALUE, glDeleteSyncAPPLE(none)),
+    REFUSED(GL_INVALID_VALUE, glDeleteSyncAPPLE(far)),
+    REFUSED(GL_INVALID_VALUE, client_wait(none, 0)),
+    REFUSED(GL_INVALID_VALUE, client_wait(nullptr, 0)),
+    REFUSED(GL_INVALID_VALUE, client_wait(sync, 2)),
+    REFUSED(GL_INVALID_VALUE, glWaitSyncAPPLE(none, 0, GL_TIMEOUT_IGNORED_APPLE)),
+    REFUSED(GL_INVALID_VALUE, glWaitSyncAPPLE(sync, 1, GL_TIMEOUT_IGNORED_APPLE)),
+    REFUSED(GL_INVALID_VALUE, glWaitSyncAPPLE(sync, 0, 0)),
+    REFUSED(GL_INVALID_VALUE, glGetSyncivAPPLE(none, GL_SYNC_STATUS_APPLE, 1, nullptr, &value)),
+    REFUSED(GL_INVALID_ENUM, glGetSyncivAPPLE(sync, GL_SYNC_FENCE_APPLE, 1, nullptr, &value)),
+    REFUSED(GL_INVALID_VALUE, glGetSyncivAPPLE(sync, GL_SYNC_STATUS_APPLE, -1, nullptr, &value)),
+    REFUSED(GL_INVALID_ENUM, GLint64 wide = 0; glGetInteger64vAPPLE(GL_SYNC_STATUS_APPLE, &wide)),
+    REFUSED(GL_INVALID_OPERATION, glLabelObjectEXT(GL_SYNC_OBJECT_APPLE, 77, 1, "?")),
+  };
+  expect_refused(kCases);
+  EXPECT_TRUE(glIsSyncAPPLE(sync));
+  EXPECT_FALSE(glIsSyncAPPLE(none));
+  EXPECT_FALSE(glIsSyncAPPLE(far));
+  EXPECT_EQ(value, 7);
 }
 
 TEST_F(ExtensionErrors, Robustness) {

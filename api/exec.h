@@ -167,12 +167,12 @@ void object_label(Context&, GLenum identifier, GLuint name, GLsizei length, cons
 void get_object_label(Context&, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
                       char* label);
 void label_object(Context&, GLenum type, GLuint name, GLsizei length, const char* label);
-// The validators accept no pointer, and no program.
-inline void set_sync_label(Context&, const void*, GLsizei, const char*) {}
-inline void get_sync_label(Context&, const void*, GLsizei, GLsizei*, char*) {}
+void object_ptr_label(Context&, const void* sync, GLsizei length, const char* label);
+void get_object_ptr_label(Context&, const void* sync, GLsizei size, GLsizei* length, char* label);
 void insert_event_marker(Context&, GLsizei length, const char* marker);
 void push_group_marker(Context&, GLsizei length, const char* marker);
 void pop_group_marker(Context&);
+// The validator accepts no program.
 inline void get_uniform(Context&, GLuint, GLint, GLsizei, const void*) {}
 // exec_fence.cpp
 void gen_fences(Context&, GLsizei n, GLuint* names);
@@ -182,6 +182,13 @@ void set_fence(Context&, GLuint name, GLenum condition);
 GLboolean test_fence(Context&, GLuint name);
 void finish_fence(Context&, GLuint name);
 void get_fence(Context&, GLuint name, GLenum pname, GLint* params);
+// sync_objects.cpp
+GLsync fence_sync(Context&, GLenum condition, GLbitfield flags);
+GLboolean is_sync(Context&, GLsync sync);
+void delete_sync(Context&, GLsync sync);
+GLenum client_wait_sync(Context&, GLsync sync, GLbitfield flags, GLuint64 timeout);
+void wait_sync(Context&, GLsync sync, GLbitfield flags, GLuint64 timeout);
+void get_sync(Context&, GLsync sync, GLenum pname, GLsizei count, GLsizei* length, GLint* values);
 // queries.cpp
 void get(Context&, GLenum pname, const Out&);
 const GLubyte* get_string(Context&, GLenum name);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "api/exec.h"
+#include "api/sync_objects.h"
 
 namespace clearpipe::api::exec {
 
@@ -85,13 +86,9 @@ void pop_debug_group(Context& c) {
                   GL_DEBUG_SEVERITY_NOTIFICATION_KHR, group.text});
 }
 
-void object_label(Context& c, GLenum identifier, GLuint name, GLsizei length, const char* label) {
-  *find_label(c, identifier, name) = text_of(length, label);
-}
-
-void get_object_label(Context& c, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
-                      char* label) {
-  const std::string& text = *find_label(c, identifier, name);
+namespace {
+// As much of a label as `size` characters hold with the zero at its end; its length without it.
+void put_text(const std::string& text, GLsizei size, GLsizei* length, char* label) {
   size_t characters = text.size();
   if (label) {
     characters = size == 0 ? 0 : std::min(characters, static_cast<size_t>(size) - 1);
@@ -101,6 +98,25 @@ void get_object_label(Context& c, GLenum identifier, GLuint name, GLsizei size, 
     }
   }
   if (length) *length = static_cast<GLsizei>(characters);
+}
+}  // namespace
+
+void object_label(Context& c, GLenum identifier, GLuint name, GLsizei length, const char* label) {
+  *find_label(c, identifier, name) = text_of(length, label);
+}
+
+void get_object_label(Context& c, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
+                      char* label) {
+  put_text(*find_label(c, identifier, name), size, length, label);
+}
+
+void object_ptr_label(Context& c, const void* sync, GLsizei length, const char* label) {
+  find_sync(*c.share, sync)->label = text_of(length, label);
+}
+
+void get_object_ptr_label(Context& c, const void* sync, GLsizei size, GLsizei* length,
+                          char* label) {
+  put_text(find_sync(*c.share, sync)->label, size, length, label);
 }
 
 void label_object(Context& c, GLenum type, GLuint name, GLsizei length, const char* label) {

@@ -6,12 +6,6 @@
 
 namespace clearpipe::api::exec {
 
-namespace {
-
-uint64_t now(const Context& c) { return c.clock->load(std::memory_order_relaxed); }
-
-}  // namespace
-
 void gen_fences(Context& c, GLsizei n, GLuint* names) {
   for (GLsizei i = 0; i < n; ++i) names[i] = c.fences.generate();
 }
@@ -25,7 +19,7 @@ GLboolean is_fence(Context& c, GLuint name) { return c.fences.find(name) != null
 void set_fence(Context& c, GLuint name, GLenum condition) {
   FenceObject& fence = *c.fences.bind(name);
   fence.condition = condition;
-  fence.frame = now(c);
+  fence.frame = c.clock->now();
 }
 
 // The one call that returns something other than zero when it is refused.
@@ -39,7 +33,7 @@ GLboolean test_fence(Context& c, GLuint name) {
 }
 
 void finish_fence(Context& c, GLuint name) {
-  if (c.fences.find(name)->frame == now(c)) c.finish_frame(Slow::kWaits);
+  if (!c.clock->is_over(c.fences.find(name)->frame)) c.finish_frame(Slow::kWaits);
 }
 
 void get_fence(Context& c, GLuint name, GLenum pname, GLint* params) {

@@ -6,6 +6,7 @@
 
 #include "api/exec.h"
 #include "api/framebuffer.h"
+#include "api/pixel_format.h"
 #include "api/renderbuffer_format.h"
 #include "api/texture_target.h"
 
@@ -21,6 +22,12 @@ void attach(Context& c, GLenum point, const Attachment& attachment) {
 
 // EXT_multisampled_render_to_texture, 4.4.3: the next number that is supported.
 int supported_samples(GLsizei samples) { return samples > 0 ? kMaxSamples : 0; }
+
+// Whether the attached colours are sRGB-encoded (EXT_sRGB, 6.1.13).
+bool is_encoded(const Attachment& a) {
+  return a.renderbuffer ? renderbuffer_format(a.renderbuffer->internal).srgb
+                        : is_srgb(a.texture->level[a.image].internal);
+}
 
 }  // namespace
 
@@ -60,6 +67,7 @@ void renderbuffer_storage_multisample(Context& c, GLenum, GLsizei samples, GLenu
     const int planes = std::max(kept, 1);
     if (format.colour) {
       colour = pipeline::make_colour_buffer(width, height, format.alpha, planes);
+      if (colour) colour->srgb = format.srgb;
     } else {
       depth_stencil =
           pipeline::make_depth_stencil_buffer(width, height, format.depth, format.stencil, planes);
@@ -173,6 +181,9 @@ void get_framebuffer_attachment_parameter(Context& c, GLenum, GLenum point, GLen
       break;
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT:
       *params = a.samples;
+      break;
+    case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT:
+      *params = is_encoded(a) ? GL_SRGB_EXT : GL_LINEAR;
       break;
     default:
       *params = static_cast<GLint>(a.face);

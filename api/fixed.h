@@ -17,6 +17,11 @@ inline int32_t saturate_int(double value) {
   return value < 2147483647.0 ? static_cast<int32_t>(value) : INT32_MAX;
 }
 
+inline int64_t saturate_int64(double value) {
+  if (!(value > -9223372036854775808.0)) return value != value ? 0 : INT64_MIN;
+  return value < 9223372036854775808.0 ? static_cast<int64_t>(value) : INT64_MAX;
+}
+
 inline GLfixed to_fixed(float value) {
   return saturate_int(std::floor(static_cast<double>(value) * 65536.0 + 0.5));
 }

@@ -8,23 +8,20 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <memory>
 #include <vector>
+
+#include "api/frame_clock.h"
 
 namespace clearpipe::api {
 
-// Frames a context has finished. It only grows, and outlives the context while objects note it.
-using FrameClock = std::shared_ptr<std::atomic<uint64_t>>;
-
-// Used under the lock of the share group. The clocks alone move outside of it: reading one with
-// acquire makes everything the finished frame read happen before what the reader writes.
+// Used under the lock of the share group. The clocks alone move outside of it: reading one
+// makes everything the finished frame read happen before what the reader writes.
 class FrameUses {
  public:
   // The frame being recorded on `clock` reads the data.
   void note(const FrameClock& clock) {
-    const uint64_t frame = clock->load(std::memory_order_relaxed);
+    const uint64_t frame = clock->now();
     for (Use& use : uses_) {
       if (use.clock == clock) {
         use.frame = frame;
@@ -51,9 +48,7 @@ class FrameUses {
     FrameClock clock;
     uint64_t frame = 0;
   };
-  static bool is_over(const Use& use) {
-    return use.clock->load(std::memory_order_acquire) != use.frame;
-  }
+  static bool is_over(const Use& use) { return use.clock->is_over(use.frame); }
   std::vector<Use> uses_;
 };
 

@@ -81,6 +81,7 @@ std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t
   buffer->height = from.height;
   buffer->pixels = from.texels.memory();
   buffer->has_alpha = texture.level[index].format == GL_RGBA;
+  buffer->srgb = is_srgb(texture.level[index].internal);
   return buffer;
 }
 
@@ -136,7 +137,8 @@ bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]
 bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha && a->uniform == b->uniform && a->samples == b->samples;
+         a->has_alpha == b->has_alpha && a->srgb == b->srgb && a->uniform == b->uniform &&
+         a->samples == b->samples;
 }
 bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
   if (a == b || !a || !b) return a == b;

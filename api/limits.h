@@ -35,6 +35,7 @@ inline constexpr int kMaxDebugMessageLength = 4096;
 inline constexpr int kMaxDebugLoggedMessages = 128;
 inline constexpr int kMaxDebugGroups = 64;
 inline constexpr int kMaxLabelLength = 256;
+inline constexpr int kMaxServerWait = 1000000000;  // nanoseconds (APPLE_sync)
 inline constexpr int kSubpixelBits = 8;
 
 }  // namespace clearpipe::api

@@ -7,11 +7,11 @@
 //
 // Contexts of a share group may be current to different threads at once. The rule: whoever looks at
 // the names, or at a member of an object, holds the group's mutex. Entry points take it by the
-// group of the call in gles1.def: `texture`, `buffer`, `framebuffer` and `draw` lock, all others do
-// not and so must not follow a BufferPtr or TexturePtr further than to its constant name. Executing
-// a frame needs no lock, because what it reads is not written before it is finished (frame_uses.h);
-// only calls that hold it anyway and must see pixels, or whose frame has grown too large, execute
-// with it. SPDX-License-Identifier: MIT
+// group of the call in gles1.def: `texture`, `buffer`, `framebuffer`, `label`, `sync` and `draw`
+// lock, all others do not and so must not follow a BufferPtr or TexturePtr further than to its
+// constant name. Executing a frame needs no lock, because what it reads is not written before it is
+// finished (frame_uses.h); only calls that hold it anyway and must see pixels, or whose frame has
+// grown too large, execute with it. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <GLES/gl.h>
@@ -126,6 +126,16 @@ struct FramebufferObject {
 };
 using FramebufferPtr = std::shared_ptr<FramebufferObject>;
 
+// APPLE_sync: signaled when the frame it was made in is over. Immutable but for its label.
+struct SyncObject {
+  explicit SyncObject(GLuint) {}
+  FrameClock clock;
+  uint64_t frame = 0;
+  std::string label;
+  bool signaled() const { return clock->is_over(frame); }
+};
+using SyncPtr = std::shared_ptr<SyncObject>;
+
 // Names in use. A name is generated with no object (null) and gets one when first bound.
 template <typename Object>
 class NameTable {
@@ -164,6 +174,7 @@ struct ShareGroup {
   NameTable<TextureObject> textures;
   NameTable<RenderbufferObject> renderbuffers;
   NameTable<FramebufferObject> framebuffers;
+  NameTable<SyncObject> syncs;  // GLsync is the name
 };
 
 // Whether the texture is complete (3.7.9): an incomplete one disables its unit. A cube map is cube

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <GLES/gl.h>
+#include <GLES/glext.h>
 
 #include <cmath>
 
@@ -63,9 +64,10 @@ class Params {
 
 class Out {
  public:
-  enum class Type { kBoolean, kInteger, kFixed, kFloat };
+  enum class Type { kBoolean, kInteger, kInteger64, kFixed, kFloat };
   explicit Out(GLboolean* values) : values_(values), type_(Type::kBoolean) {}
   explicit Out(GLfloat* values) : values_(values), type_(Type::kFloat) {}
+  explicit Out(GLint64* values) : values_(values), type_(Type::kInteger64) {}
   static Out fixed(GLfixed* values) { return {values, Type::kFixed}; }
   static Out integer(GLint* values) { return {values, Type::kInteger}; }
 
@@ -76,6 +78,9 @@ class Out {
         break;
       case Type::kInteger:
         int_at(i) = saturate_int(std::floor(static_cast<double>(value) + 0.5));
+        break;
+      case Type::kInteger64:
+        int64_at(i) = saturate_int64(std::floor(static_cast<double>(value) + 0.5));
         break;
       case Type::kFixed:
         int_at(i) = to_fixed(value);
@@ -90,6 +95,9 @@ class Out {
   void colour(int i, float value) const {
     if (type_ == Type::kInteger) {
       int_at(i) = saturate_int((4294967295.0 * static_cast<double>(value) - 1.0) / 2.0);
+    } else if (type_ == Type::kInteger64) {
+      int64_at(i) =
+          saturate_int64((18446744073709551615.0 * static_cast<double>(value) - 1.0) / 2.0);
     } else {
       number(i, value);
     }
@@ -101,6 +109,9 @@ class Out {
         break;
       case Type::kInteger:
         int_at(i) = value;
+        break;
+      case Type::kInteger64:
+        int64_at(i) = value;
         break;
       case Type::kFixed:
         int_at(i) = saturate_int(value * 65536.0);
@@ -122,6 +133,7 @@ class Out {
  private:
   Out(void* values, Type type) : values_(values), type_(type) {}
   GLboolean& boolean_at(int i) const { return static_cast<GLboolean*>(values_)[i]; }
+  GLint64& int64_at(int i) const { return static_cast<GLint64*>(values_)[i]; }
   GLint& int_at(int i) const { return static_cast<GLint*>(values_)[i]; }
   void* values_;
   Type type_;

@@ -14,15 +14,28 @@ inline bool is_base_format(GLenum format) {
   return format >= GL_ALPHA && format <= GL_LUMINANCE_ALPHA;  // ALPHA RGB RGBA LUMINANCE L_A
 }
 
+// Whether the colours of images of an internal format are sRGB-encoded (EXT_sRGB).
+inline bool is_srgb(GLenum internal) {
+  return internal == GL_SRGB_EXT || internal == GL_SRGB_ALPHA_EXT;
+}
+
+// Whether an application may give pixels in that format, of some type.
+inline bool is_upload_format(GLenum format) {
+  return is_base_format(format) || format == GL_BGRA_EXT || is_srgb(format);
+}
+
 // The base format of an internal format: itself, or that of one with component sizes
-// (OES_required_internalformat), or RGBA for BGRA (EXT_texture_format_BGRA8888). 0 if it is none.
+// (OES_required_internalformat), or RGBA for BGRA (EXT_texture_format_BGRA8888), or that of the
+// sRGB-encoded components. 0 if it is none.
 inline GLenum base_format(GLenum internal) {
   switch (internal) {
     case GL_BGRA_EXT:
+    case GL_SRGB_ALPHA_EXT:
     case GL_RGBA8_OES:
     case GL_RGBA4_OES:
     case GL_RGB5_A1_OES:
       return GL_RGBA;
+    case GL_SRGB_EXT:
     case GL_RGB8_OES:
     case GL_RGB565_OES:
       return GL_RGB;
@@ -40,7 +53,7 @@ inline GLenum base_format(GLenum internal) {
 
 // The format in which an application gives the pixels of an image of that internal format.
 inline GLenum upload_format(GLenum internal) {
-  return internal == GL_BGRA_EXT ? GL_BGRA_EXT : base_format(internal);
+  return internal == GL_BGRA_EXT || is_srgb(internal) ? internal : base_format(internal);
 }
 
 // Whether an image of that internal format may be given in that type (table 3.4 of
@@ -52,15 +65,20 @@ inline bool has_enough_bits(GLenum internal, GLenum type) {
          (type == GL_UNSIGNED_SHORT_5_5_5_1 && internal == GL_RGB5_A1_OES);
 }
 
-// Bytes of a pixel; 0 if the pair is none of table 3.4.
+// Bytes of a pixel of an upload format; 0 if the pair is none of table 3.4.
 inline size_t pixel_bytes(GLenum format, GLenum type) {
   switch (type) {
     case GL_UNSIGNED_BYTE:
-      return format == GL_RGBA || format == GL_BGRA_EXT ? 4
-             : format == GL_RGB                         ? 3
-             : format == GL_LUMINANCE_ALPHA             ? 2
-             : is_base_format(format)                   ? 1
-                                                        : 0;
+      switch (base_format(format)) {
+        case GL_RGBA:
+          return 4;
+        case GL_RGB:
+          return 3;
+        case GL_LUMINANCE_ALPHA:
+          return 2;
+        default:
+          return 1;
+      }
     case GL_UNSIGNED_SHORT_5_6_5:
       return format == GL_RGB ? 2 : 0;
     case GL_UNSIGNED_SHORT_4_4_4_4:
@@ -93,10 +111,12 @@ inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
   }
   switch (format) {
     case GL_RGBA:
+    case GL_SRGB_ALPHA_EXT:
       return rgba(p[0], p[1], p[2], p[3]);
     case GL_BGRA_EXT:
       return rgba(p[2], p[1], p[0], p[3]);
     case GL_RGB:
+    case GL_SRGB_EXT:
       return rgba(p[0], p[1], p[2], 255);
     case GL_LUMINANCE_ALPHA:
       return rgba(p[0], p[0], p[0], p[1]);

@@ -104,9 +104,11 @@ void add_mipmaps(Levels& levels, int last) {
   for (int i = 0; i < last; ++i) levels.push_back(reduced(levels.back()));
 }
 
-// Automatic generation is not performed from compressed images.
+// Automatic generation is not performed from compressed images, or from sRGB-encoded ones
+// (EXT_sRGB, 3.7.11).
 bool generates_mipmap(const TextureObject& texture, size_t image, GLenum internal) {
-  return image % kTextureLevels == 0 && texture.generate_mipmap && base_format(internal) != 0;
+  return image % kTextureLevels == 0 && texture.generate_mipmap && base_format(internal) != 0 &&
+         !is_srgb(internal);
 }
 
 void replace_level(Context& c, TextureObject& texture, size_t image, pipeline::ImageLevel to,

@@ -161,11 +161,9 @@ Invalid pop_debug_group(const Context&);
 Invalid object_label(const Context&, GLenum identifier, GLuint name, GLsizei length, const char*);
 Invalid get_object_label(const Context&, GLenum identifier, GLuint name, GLsizei size,
                          const GLsizei*, const char*);
-// No object is named by a pointer: there are no sync objects.
-template <typename... Arguments>
-Invalid sync_label(const Context&, const Arguments&...) {
-  return {GL_INVALID_VALUE, "{0} is no sync object: there are none (KHR_debug, 5.5.8)"};
-}
+Invalid object_ptr_label(const Context&, const void* sync, GLsizei length, const char* label);
+Invalid get_object_ptr_label(const Context&, const void* sync, GLsizei size, const GLsizei*,
+                             const char*);
 Invalid label_object(const Context&, GLenum type, GLuint name, GLsizei length, const char*);
 Invalid get_label_ext(const Context&, GLenum type, GLuint name, GLsizei size, const GLsizei*,
                       const char*);
@@ -173,6 +171,13 @@ Invalid get_label_ext(const Context&, GLenum type, GLuint name, GLsizei size, co
 Invalid set_fence(const Context&, GLuint name, GLenum condition);
 Invalid existing_fence(const Context&, GLuint name);
 Invalid get_fence(const Context&, GLuint name, GLenum pname, const GLint*);
+// sync_objects.cpp
+Invalid fence_sync(const Context&, GLenum condition, GLbitfield flags);
+Invalid delete_sync(const Context&, GLsync sync);
+Invalid client_wait_sync(const Context&, GLsync sync, GLbitfield flags);
+Invalid wait_sync(const Context&, GLsync sync, GLbitfield flags, GLuint64 timeout);
+Invalid get_sync(const Context&, GLsync sync, GLenum pname, GLsizei count, const GLsizei*,
+                 const GLint*);
 // No program has uniforms: there are no programs.
 template <typename... Arguments>
 Invalid get_uniform(const Context&, const Arguments&...) {

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
 
+#include "api/sync_objects.h"
 #include "api/validate.h"
 
 namespace clearpipe::api::validate {
 
 namespace {
+
+// The only objects that pointers name.
+constexpr const char* kNoSync = "{0} is no sync object (KHR_debug, 5.5.8)";
 
 bool is_source(GLenum source) {
   return source >= GL_DEBUG_SOURCE_API_KHR && source <= GL_DEBUG_SOURCE_OTHER_KHR;
@@ -110,12 +114,24 @@ Invalid object_label(const Context& c, GLenum identifier, GLuint name, GLsizei l
                       "{3} is not shorter than MAX_LABEL_LENGTH (KHR_debug, 5.5.8)");
 }
 
-// EXT_debug_label: its types, of which OpenGL ES 1.1 has five, and that there is such an object.
+Invalid object_ptr_label(const Context& c, const void* sync, GLsizei length, const char* label) {
+  if (!find_sync(*c.share, sync)) return {GL_INVALID_VALUE, kNoSync};
+  return value_unless(!label || is_shorter(length, label, kMaxLabelLength),
+                      "{2} is not shorter than MAX_LABEL_LENGTH (KHR_debug, 5.5.8)");
+}
+
+Invalid get_object_ptr_label(const Context& c, const void* sync, GLsizei size, const GLsizei*,
+                             const char*) {
+  if (!find_sync(*c.share, sync)) return {GL_INVALID_VALUE, kNoSync};
+  return value_unless(size >= 0, "{1} is negative (KHR_debug, 6.1.16)");
+}
+
+// EXT_debug_label: its types, of which OpenGL ES 1.1 has six, and that there is such an object.
 namespace {
 Invalid labelled_ext(const Context& c, GLenum type, GLuint name) {
   const bool known = type == GL_TEXTURE || type == GL_FRAMEBUFFER_OES ||
                      type == GL_RENDERBUFFER_OES || type == GL_BUFFER_OBJECT_EXT ||
-                     type == GL_VERTEX_ARRAY_OBJECT_EXT;
+                     type == GL_VERTEX_ARRAY_OBJECT_EXT || type == GL_SYNC_OBJECT_APPLE;
   if (!known) return {GL_INVALID_ENUM, "{0} is no type of objects (EXT_debug_label)"};
   return operation_unless(find_label(const_cast<Context&>(c), type, name) != nullptr,
                           "{1} is no object of the type {0} (EXT_debug_label)");

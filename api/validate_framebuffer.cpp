@@ -133,6 +133,7 @@ Invalid get_framebuffer_attachment_parameter(const Context& c, GLenum target, GL
     case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES:
       return {};
     case GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_OES:
+    case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT:
       return enum_unless(a.renderbuffer || a.texture,
                          "{2} does not apply: nothing is attached (OES_framebuffer_object, 6.1.3)");
     case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES:
@@ -169,6 +170,9 @@ Invalid generate_mipmap(const Context& c, GLenum target) {
             "the faces do not make a complete cube (OES_framebuffer_object, 3.8.8)"};
   }
   const GLenum internal = texture.level[0].internal;
+  if (is_srgb(internal)) {
+    return {GL_INVALID_OPERATION, "the colours of the texture are sRGB-encoded (EXT_sRGB, 3.7.11)"};
+  }
   return operation_unless(
       internal == 0 || base_format(internal) != 0,
       "the base level is a compressed image (OES_compressed_paletted_texture, 3.7.7)");

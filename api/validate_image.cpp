@@ -12,7 +12,7 @@ namespace {
 
 // Two arguments in a row.
 Invalid format_and_type(GLenum format, GLenum type) {
-  if (!is_base_format(format) && format != GL_BGRA_EXT) {
+  if (!is_upload_format(format)) {
     return {GL_INVALID_ENUM, "{0} is no format of pixels (3.6.2, table 3.3)"};
   }
   return enum_unless(type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT_5_6_5 ||
@@ -135,7 +135,7 @@ Invalid tex_sub_image(const Context& c, GLenum target, GLint level, GLint x, GLi
 Invalid copy_tex_image(const Context& c, GLenum target, GLint level, GLenum internal, GLint, GLint,
                        GLsizei width, GLsizei height, GLint border) {
   if (const Invalid wrong = image_target(target)) return wrong;
-  if (base_format(internal) == 0 || internal == GL_BGRA_EXT) {
+  if (base_format(internal) == 0 || internal == GL_BGRA_EXT || is_srgb(internal)) {
     if (const Invalid wrong = compressed_only(internal)) return wrong;
     return {GL_INVALID_ENUM, "{2} is no internal format of copies (3.7.2, table 3.8)"};
   }

@@ -1,25 +1,19 @@
-// See compare.h. OpenImageIO reads differences and writes files.
+// See compare.h.
 // SPDX-License-Identifier: MIT
 #include "conformance/compare.h"
 
-#include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
+
+#include "conformance/pictures.h"
 
 namespace clearpipe::conformance {
 
 namespace {
 
 namespace oiio = OIIO;
-
-// The pixels as they are, wrapped.
-oiio::ImageBuf wrap(const Image& image) {
-  const oiio::ImageSpec spec(image.width, image.height, 4, oiio::TypeDesc::UINT8);
-  return oiio::ImageBuf(spec, const_cast<uint8_t*>(image.pixels.data()));
-}
 
 // The share of pixels with no channel further apart than `steps`/255.
 double share_within(const oiio::ImageBuf& a, const oiio::ImageBuf& b, int steps, double* largest) {
@@ -28,15 +22,6 @@ double share_within(const oiio::ImageBuf& a, const oiio::ImageBuf& b, int steps,
   if (largest != nullptr) *largest = result.maxerror;
   const double pixels = static_cast<double>(a.spec().image_pixels());
   return 1.0 - static_cast<double>(result.nfail) / pixels;
-}
-
-void write(const oiio::ImageBuf& picture, const std::string& path) {
-  // PNG would store colour unassociated from alpha: a viewer shows opaque pictures best.
-  const oiio::ImageBuf upright =
-      oiio::ImageBufAlgo::flip(oiio::ImageBufAlgo::channels(picture, 3, {}));
-  if (!upright.write(path, oiio::TypeDesc::UINT8)) {
-    std::fprintf(stderr, "%s: %s\n", path.c_str(), upright.geterror().c_str());
-  }
 }
 
 }  // namespace
@@ -64,20 +49,6 @@ std::string describe(const Agreement& agreement) {
   std::snprintf(text, sizeof text, "equal %6.2f%%, within 1/255 %6.2f%%, largest %d/255",
                 percent(agreement.equal), percent(agreement.within_1), agreement.largest);
   return text;
-}
-
-std::string write_pictures(const Image& image, const Image& reference, const std::string& folder,
-                           const std::string& name) {
-  std::filesystem::create_directories(folder);
-  const std::string stem = folder + "/" + name;
-  const oiio::ImageBuf a = wrap(image), b = wrap(reference);
-  write(a, stem + ".png");
-  write(b, stem + "-reference.png");
-  // Alpha shows in the difference as grey: the largest channel is not lost with it.
-  const oiio::ImageBuf difference =
-      oiio::ImageBufAlgo::mul(oiio::ImageBufAlgo::absdiff(a, b), 32.0f);
-  write(difference, stem + "-difference.png");
-  return stem + ".png";
 }
 
 }  // namespace clearpipe::conformance

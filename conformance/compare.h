@@ -1,4 +1,4 @@
-// Two pictures compared, and written out for people when they disagree.
+// Two pictures compared.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,10 +21,5 @@ bool holds(const Agreement& agreement, const Tolerance& tolerance);
 
 // "equal 99.98%, within 1/255 100.00%, largest 1/255"
 std::string describe(const Agreement& agreement);
-
-// Writes FOLDER/NAME.png, NAME-reference.png and NAME-difference.png (32 times the difference), the
-// top row first; returns the first path.
-std::string write_pictures(const Image& image, const Image& reference, const std::string& folder,
-                           const std::string& name);
 
 }  // namespace clearpipe::conformance

@@ -1,14 +1,20 @@
 // Every scene on clearpipe and on the reference, compared. Prints one line a scene; writes the
 // pictures of those that disagree, or of all with CLEARPIPE_PICTURES=1, into the folder
-// CLEARPIPE_OUTPUT (default scenes/ under the current one).
+// CLEARPIPE_OUTPUT (default scenes/ under the current one), and the records of the report into
+// CLEARPIPE_RECORDS, if it is set. Scenes that OSMesa draws are drawn on Mesa's OpenGL ES 1.1 too;
+// where these two differ, a line and the report say so.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
+#include "conformance/chapters.h"
 #include "conformance/compare.h"
+#include "conformance/pictures.h"
+#include "conformance/report/entry.h"
 #include "conformance/scene.h"
 #include "conformance/through_egl.h"
 #include "reference/osmesa_runner.h"
@@ -33,6 +39,20 @@ Implementation& reference(const Scene& scene) {
   }
   static const auto implementation = reference::open_osmesa();
   return *implementation;
+}
+
+// Mesa's OpenGL ES 1.1 beside OSMesa; null when the environment names no vendor library of Mesa's.
+Implementation* second_reference(const Scene& scene) {
+  if (scene.samples > 0) return nullptr;
+  static const auto implementation = []() -> std::unique_ptr<Implementation> {
+    try {
+      return open_mesa_through_egl(0);
+    } catch (const std::runtime_error& error) {
+      std::printf("no second reference: %s\n", error.what());
+      return nullptr;
+    }
+  }();
+  return implementation.get();
 }
 
 std::string output_folder() {
@@ -70,14 +90,59 @@ void replace_samples_by_their_mean(const Gl& gl, int width, int height) {
   gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-Image draw(Implementation& implementation, const Scene& scene) {
+struct Drawn {
+  Image image;
+  GLenum error;
+};
+
+Drawn draw(Implementation& implementation, const Scene& scene) {
   const Gl& gl = implementation.begin(scene.width, scene.height);
   scene.draw(gl);
-  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)) << "on " << implementation.name();
+  const GLenum error = gl.GetError();
   if (scene.samples > 0) replace_samples_by_their_mean(gl, scene.width, scene.height);
   Image image = read_image(gl, scene.width, scene.height);
   implementation.end();
-  return image;
+  return {std::move(image), error};
+}
+
+Image draw_without_error(Implementation& implementation, const Scene& scene) {
+  Drawn drawn = draw(implementation, scene);
+  EXPECT_EQ(drawn.error, static_cast<GLenum>(GL_NO_ERROR)) << "on " << implementation.name();
+  return std::move(drawn.image);
+}
+
+// What the second reference makes of the scene, beside the two pictures that there are.
+report::Second draw_on_second(const Scene& scene, const Image& image, const Image& expected) {
+  Implementation* implementation = second_reference(scene);
+  if (implementation == nullptr) return {};
+  report::Second second;
+  Drawn drawn = draw(*implementation, scene);
+  second.name = "Mesa's OpenGL ES 1.1";
+  if (drawn.error != GL_NO_ERROR) {
+    char text[64];
+    std::snprintf(text, sizeof text, "it refuses a call, GL error 0x%04x", drawn.error);
+    second.complaint = text;
+    return second;
+  }
+  second.with_reference = compare(drawn.image, expected, scene.tolerance);
+  second.with_subject = compare(image, drawn.image, scene.tolerance);
+  second.image = std::move(drawn.image);
+  return second;
+}
+
+void print_second(const std::string& name, const report::Second& second) {
+  if (!second.complaint.empty()) {
+    std::printf("second %s: %s\n", name.c_str(), second.complaint.c_str());
+  } else if (!second.name.empty() && second.with_reference.equal < 1) {
+    std::printf("second %s: the references differ: %s; clearpipe and the second: %s\n",
+                name.c_str(), describe(second.with_reference).c_str(),
+                describe(second.with_subject).c_str());
+  }
+}
+
+void record(const nlohmann::json& entry) {
+  const char* folder = std::getenv("CLEARPIPE_RECORDS");
+  if (folder != nullptr) report::write_record(entry, folder);
 }
 
 bool is_one_colour(const Image& image) {
@@ -93,19 +158,35 @@ class SceneTest : public testing::TestWithParam<Scene> {};
 
 TEST_P(SceneTest, AgreesWithTheReference) {
   const Scene& scene = GetParam();
-  const Image image = draw(subject(scene), scene);
+  const std::string name = std::string(scene.topic) + "." + scene.name;
+  const Chapter chapter = chapter_of(scene.topic);
+  EXPECT_FALSE(chapter.title.empty()) << "chapters.cpp does not know " << scene.topic;
+  report::Entry entry;
+  entry.chapter = chapter.title;
+  entry.section = chapter.section;
+  entry.name = name;
+  entry.tolerance = scene.tolerance;
+  record(report::as_json_without_pictures(entry, "the test ended before this scene was drawn"));
+
+  const Image image = draw_without_error(subject(scene), scene);
   ASSERT_NE(subject(scene).name().find("clearpipe"), std::string::npos)
       << "the loader gave " << subject(scene).name();
-  const Image expected = draw(reference(scene), scene);
+  const Image expected = draw_without_error(reference(scene), scene);
   // A scene that draws nothing proves nothing.
   EXPECT_FALSE(is_one_colour(expected)) << "the reference's picture is empty";
 
   const Agreement agreement = compare(image, expected, scene.tolerance);
-  const std::string name = std::string(scene.topic) + "." + scene.name;
   const bool good = holds(agreement, scene.tolerance);
   std::printf("scene %s: %s%s%s\n", name.c_str(), describe(agreement).c_str(),
               scene.tolerance.reason != nullptr ? "; " : "",
               scene.tolerance.reason != nullptr ? scene.tolerance.reason : "");
+  entry.second = draw_on_second(scene, image, expected);
+  print_second(name, entry.second);
+  entry.reference_name = scene.samples > 0 ? "Mesa's OpenGL ES 1.1" : "OSMesa";
+  entry.subject = image;
+  entry.reference = expected;
+  entry.agreement = agreement;
+  record(report::as_json(entry));
   const bool looser =
       scene.tolerance.near > kColours.near || scene.tolerance.near_share < kColours.near_share ||
       scene.tolerance.far > kColours.far || scene.tolerance.far_share < kColours.far_share;

@@ -191,6 +191,7 @@ struct Combiner {
 struct TextureUnit {
   bool enabled = false;  // a complete texture is enabled on this unit
   bool cube = false;     // a cube map: (s, t, r) is a direction
+  bool srgb = false;     // the image's colours are sRGB-encoded
   ImageRef image;        // all its levels
   Sampler sampler;
   Combiner combiner;

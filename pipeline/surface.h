@@ -42,6 +42,7 @@ struct ColourBuffer {
   int width = 0, height = 0;
   std::shared_ptr<uint32_t[]> pixels;     // R in the low byte
   bool has_alpha = true;                  // else alpha stays 255 in memory: it reads as 1
+  bool srgb = false;                      // colours are sRGB-encoded
   std::shared_ptr<UniformTiles> uniform;  // null: laid out in rows of `width`
   std::shared_ptr<SampleBuffer> samples;  // null: one sample, the pixel itself
 };

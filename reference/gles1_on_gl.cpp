@@ -75,6 +75,27 @@ void translate_generated_coordinates(Gl& gl) {
   gl.TexGenxOES = [](GLenum, GLenum, GLfixed mode) { tex_gen(mode); };
 }
 
+// The format of an sRGB-encoded image is that of the data on the desktop, and writing to such
+// images is a capability there (EXT_sRGB).
+constexpr GLenum kFramebufferSrgb = 0x8DB9;
+
+GLenum data_format(GLenum format) {
+  return format == GL_SRGB_EXT ? GL_RGB : format == GL_SRGB_ALPHA_EXT ? GL_RGBA : format;
+}
+
+void translate_encoded_images(Gl& gl) {
+  gl.TexImage2D = [](GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height,
+                     GLint border, GLenum format, GLenum type, const void* pixels) {
+    if (data_format(format) != format) desktop.Enable(kFramebufferSrgb);
+    desktop.TexImage2D(target, level, internal, width, height, border, data_format(format), type,
+                       pixels);
+  };
+  gl.TexSubImage2D = [](GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
+                        GLenum format, GLenum type, const void* pixels) {
+    desktop.TexSubImage2D(target, level, x, y, width, height, data_format(format), type, pixels);
+  };
+}
+
 }  // namespace
 
 Gl gles1_on_gl(void* (*find)(const char* name)) {
@@ -94,6 +115,7 @@ Gl gles1_on_gl(void* (*find)(const char* name)) {
   translate_fixed(gl);
   translate_arrays(gl);
   translate_generated_coordinates(gl);
+  translate_encoded_images(gl);
   return gl;
 }
 

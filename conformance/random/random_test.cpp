@@ -23,6 +23,7 @@
 #include <memory>
 #include <string>
 
+#include "conformance/pictures.h"
 #include "conformance/random/disagreement.h"
 #include "conformance/random/generate.h"
 #include "conformance/random/minimise.h"

@@ -6,6 +6,7 @@ namespace clearpipe::conformance {
 
 // DOT3_RGBA goes to all four components; colours have their scale, alpha has its own.
 SCENE(combiners, dot3_rgba_scales, kColours) {
+  clear(gl);
   pixel_projection(gl);
   noise_texture(gl, 32, 32, 310);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -95,6 +95,7 @@ struct Frame::Impl {
         holder->target.has_stencil = target.depth_stencil->has_stencil;
       }
       holder->target.multisampled = target.samples() > 1;
+      holder->target.srgb = target.colour && target.colour->srgb;
       program = std::move(holder);
     }
     if (programs.empty() || programs.back() != program) {

@@ -66,6 +66,7 @@ struct FragmentProgram;  // opaque outside fragment/
 struct FragmentTarget {
   bool has_depth = false, has_stencil = false;
   bool multisampled = false;  // then the program is for shade_samples
+  bool srgb = false;          // colours are written sRGB-encoded
 };
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage);

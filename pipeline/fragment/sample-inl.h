@@ -3,8 +3,8 @@
 // sample_axis-inl.h.
 //
 // Two arithmetics exist. With REPEAT and CLAMP_TO_EDGE, weights have 8 fraction bits and every
-// interpolation rounds to 8 bits. When an axis mirrors (kFine), weights have 15 bits and
-// colours 13. SPDX-License-Identifier: MIT
+// interpolation rounds to 8 bits. When an axis mirrors, or colours are sRGB-encoded (kFine),
+// weights have 15 bits and colours 13. SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
 #include <cstdint>
@@ -61,18 +61,25 @@ HWY_INLINE TexelPair gather_pair(const SampleLevel& level, VecInt row, const Lin
   return {gather(level, hn::Add(row, x.first)), gather(level, hn::Add(row, x.second))};
 }
 
+// Texels as the colours that are interpolated.
+template <class Axes, bool kFine>
+HWY_INLINE Colours colours_of(const Axes& axes, VecInt texels) {
+  if constexpr (Axes::kSrgb) {
+    return decode(axes.decode, texels);
+  } else if constexpr (kFine) {
+    return widen(unpack(texels));
+  } else {
+    return unpack(texels);
+  }
+}
+
 template <class Axes, bool kFine>
 HWY_INLINE Colours sample_nearest(const Axes& axes, const SampleLevel& level, VecFloat s,
                                   VecFloat t) {
   const VecInt x = axes.nearest_s(s, level.width);
   const VecInt y = axes.nearest_t(t, level.height);
   const VecInt row = hn::Mul(y, hn::Set(TagInt(), level.width));
-  const Colours c = unpack(gather(level, hn::Add(row, x)));
-  if constexpr (kFine) {
-    return widen(c);
-  } else {
-    return c;
-  }
+  return colours_of<Axes, kFine>(axes, gather(level, hn::Add(row, x)));
 }
 
 // 3.7.8: tau = (1-a)(1-b) t00 + a(1-b) t10 + (1-a)b t01 + ab t11, as three interpolations.
@@ -87,16 +94,10 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
   const bool neighbours = hn::AllTrue(TagInt(), hn::Eq(x.second, next));
   const TexelPair row0 = gather_pair(level, hn::Mul(y.first, width), x, neighbours);
   const TexelPair row1 = gather_pair(level, hn::Mul(y.second, width), x, neighbours);
-  Colours c00 = unpack(row0.first);
-  Colours c10 = unpack(row0.second);
-  Colours c01 = unpack(row1.first);
-  Colours c11 = unpack(row1.second);
-  if constexpr (kFine) {
-    c00 = widen(c00);
-    c10 = widen(c10);
-    c01 = widen(c01);
-    c11 = widen(c11);
-  }
+  const Colours c00 = colours_of<Axes, kFine>(axes, row0.first);
+  const Colours c10 = colours_of<Axes, kFine>(axes, row0.second);
+  const Colours c01 = colours_of<Axes, kFine>(axes, row1.first);
+  const Colours c11 = colours_of<Axes, kFine>(axes, row1.second);
   const Weight a = spread(x.weight);
   const Weight b = spread(y.weight);
   return lerp<kFine>(b, lerp<kFine>(a, c00, c10), lerp<kFine>(a, c01, c11));
@@ -305,6 +306,7 @@ inline SampleFunction choose_sample(const SampleState& state) {
   const SampleLevel& level = state.levels[state.first_level];
   const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
   const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);
+  if (state.decode != nullptr) return choose_filter<SrgbAxes, true>(state);
   if (s == WrapKind::kMirroredRepeat || t == WrapKind::kMirroredRepeat) {
     return choose_filter<MirroredAxes, true>(state);
   }

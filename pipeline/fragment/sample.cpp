@@ -9,6 +9,7 @@
 
 #include "hwy/highway.h"
 #include "pipeline/fragment/sample-inl.h"
+#include "pipeline/srgb.h"
 
 #if HWY_ONCE
 #include <algorithm>
@@ -62,6 +63,7 @@ SampleState make_sample_state(const TextureUnit& unit) {
       state.last_level = std::min(state.last_level, last);
     }
   }
+  if (unit.srgb) state.decode = srgb_to_linear();
   state.needs_lod = sampler.min != sampler.mag || state.last_level > state.first_level ||
                     sampler.max_anisotropy > 1;
   state.lod_threshold = sampler.mag == Filter::kLinear && sampler.min == Filter::kNearest &&

@@ -26,6 +26,7 @@ struct SampleState {
   bool needs_lod = false;   // minification and magnification differ, or mipmaps are used, or the
                             // footprint is looked at (anisotropic-inl.h)
   float lod_threshold = 0;  // c: magnification when lod <= c (3.7.8)
+  const int32_t* decode = nullptr;  // of sRGB-encoded colours: srgb_to_linear()
 
   bool is_cube() const { return !other_faces.empty(); }
   const SampleLevel& level(int number) const {

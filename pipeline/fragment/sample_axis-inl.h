@@ -202,6 +202,7 @@ HWY_INLINE LinearAxis fine_linear_axis(VecFloat s, int size) {
 // Both axes of a sampler whose wrap modes are known when it is compiled.
 template <WrapKind kS, WrapKind kT>
 struct FixedAxes {
+  static constexpr bool kSrgb = false;
   explicit FixedAxes(const SampleState&) {}
   HWY_INLINE VecInt nearest_s(VecFloat s, int size) const { return nearest_axis<kS>(s, size); }
   HWY_INLINE VecInt nearest_t(VecFloat t, int size) const { return nearest_axis<kT>(t, size); }
@@ -211,6 +212,7 @@ struct FixedAxes {
 
 // Both axes of a sampler with a mirrored axis; the wrap modes are looked at while it runs.
 struct MirroredAxes {
+  static constexpr bool kSrgb = false;
   explicit MirroredAxes(const SampleState& state)
       : wrap_s(wrap_kind(state.sampler.wrap_s, state.levels[state.first_level].width)),
         wrap_t(wrap_kind(state.sampler.wrap_t, state.levels[state.first_level].height)) {}
@@ -245,6 +247,13 @@ struct MirroredAxes {
   }
 
   WrapKind wrap_s, wrap_t;
+};
+
+// Both axes of any sampler of an image whose colours are sRGB-encoded.
+struct SrgbAxes : MirroredAxes {
+  static constexpr bool kSrgb = true;
+  explicit SrgbAxes(const SampleState& state) : MirroredAxes(state), decode(state.decode) {}
+  const int32_t* decode;
 };
 
 }  // namespace HWY_NAMESPACE

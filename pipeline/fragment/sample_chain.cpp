@@ -74,7 +74,8 @@ class SampleChain {
     const ChainStep* combine = nullptr;  // with the stored colour
     for (int i = 0; i < program.step_count; ++i) {
       const ChainStep& step = program.steps[i];
-      if (step.stage == FragmentStage::blend || step.stage == FragmentStage::logic_op) {
+      if (step.stage == FragmentStage::blend || step.stage == FragmentStage::blend_srgb ||
+          step.stage == FragmentStage::logic_op) {
         combine = &step;
       } else if (step.stage == FragmentStage::test_depth_stencil) {
         if (!test_samples()) return;

@@ -55,6 +55,14 @@ HWY_INLINE Colours widen(Colours c) {
   return c;
 }
 
+// The linear colours of sRGB-encoded texels (srgb.h), and their alpha.
+HWY_INLINE Colours decode(const int32_t* table, VecInt texels) {
+  Colours c = unpack(texels);
+  for (int i = 0; i < 3; ++i) c.channel[i] = hn::GatherIndex(TagInt(), table, c.channel[i]);
+  c.channel[3] = fragment::HWY_NAMESPACE::from_unorm8(TagInt(), c.channel[3]);
+  return c;
+}
+
 template <bool kFine>
 HWY_INLINE Colours lerp(Weight weight, const Colours& a, const Colours& b) {
   constexpr int kBits = kFine ? 15 : 8;
@@ -109,6 +117,21 @@ HWY_INLINE VecPairs widen(VecPairs v) {
   return fragment::HWY_NAMESPACE::from_unorm8(TagPairs(), v);
 }
 HWY_INLINE Colours widen(const Colours& c) { return {widen(c.rb), widen(c.ga)}; }
+
+// The linear colours of sRGB-encoded texels (srgb.h), and their alpha.
+HWY_INLINE Colours decode(const int32_t* table, VecInt texels) {
+  const TagInt di;
+  const TagPairs dp;
+  const VecInt byte = hn::Set(di, 0xff);
+  const auto linear = [&](VecInt encoded) HWY_ATTR { return hn::GatherIndex(di, table, encoded); };
+  const VecInt r = linear(hn::And(texels, byte));
+  const VecInt g = linear(hn::And(hn::ShiftRight<8>(texels), byte));
+  const VecInt b = linear(hn::And(hn::ShiftRight<16>(texels), byte));
+  const VecInt a =
+      fragment::HWY_NAMESPACE::from_unorm8(di, hn::And(hn::ShiftRight<24>(texels), byte));
+  return {hn::BitCast(dp, hn::Or(r, hn::ShiftLeft<16>(b))),
+          hn::BitCast(dp, hn::Or(g, hn::ShiftLeft<16>(a)))};
+}
 
 // a + weight * (b - a), rounded to nearest. The difference of 8-bit values is moved up by 7 bits,
 // so that an 8-bit weight meets it in the 15-bit product.

@@ -84,7 +84,20 @@ void set_multisample(const FragmentState& state, FragmentProgram& program) {
   program.sample_mask = (state.sample_coverage_invert ? ~mask : mask) & kAllSamples;
 }
 
-void select_stages(const FragmentState& state, FragmentCoverage coverage,
+// 4.1.7 to 4.1.9, and the conversion to what is stored.
+void select_write_stages(const FragmentState& state, bool srgb, FragmentProgram& program) {
+  const auto add = [&](FragmentStage stage) { program.steps[program.step_count++] = {stage, 0}; };
+  const bool blends = state.blend.enabled && !state.logic_op_enabled;
+  if (!srgb) {
+    add(FragmentStage::pack_colour);
+    if (blends) add(FragmentStage::blend);
+  } else {
+    add(blends ? FragmentStage::blend_srgb : FragmentStage::pack_srgb);
+  }
+  if (state.logic_op_enabled) add(FragmentStage::logic_op);
+}
+
+void select_stages(const FragmentState& state, FragmentCoverage coverage, bool srgb,
                    FragmentProgram& program) {
   const auto add = [&](FragmentStage stage, int unit = 0) {
     program.steps[program.step_count++] = {stage, static_cast<uint8_t>(unit)};
@@ -121,13 +134,7 @@ void select_stages(const FragmentState& state, FragmentCoverage coverage,
   }
   if (state.alpha_test) add(FragmentStage::alpha_test);
   if (tests_in_chain && !tests_first) add(FragmentStage::test_depth_stencil);
-  if (!colour) return;
-  add(FragmentStage::pack_colour);
-  if (state.logic_op_enabled) {
-    add(FragmentStage::logic_op);
-  } else if (state.blend.enabled) {
-    add(FragmentStage::blend);
-  }
+  if (colour) select_write_stages(state, srgb, program);
 }
 
 }  // namespace
@@ -157,11 +164,13 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if (state.unit[u].enabled) set_unit(state.unit[u], program->unit[u]);
   }
-  select_stages(state, coverage, *program);
+  select_stages(state, coverage, target.srgb, *program);
   static const bool allowed = fused_allowed();
-  const bool cube = std::any_of(state.unit.begin(), state.unit.end(),
-                                [](const TextureUnit& unit) { return unit.enabled && unit.cube; });
-  if (allowed && !program->antialiased && !target.multisampled && !cube) {
+  const bool chain_only =
+      target.multisampled || target.srgb || program->antialiased ||
+      std::any_of(state.unit.begin(), state.unit.end(),
+                  [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
+  if (allowed && !chain_only) {
     program->fused = select_fused(*program);
   }
   return program;

@@ -5,6 +5,7 @@ target_sources(clearpipe_pipeline PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/fused.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_chain.cpp
   ${CMAKE_CURRENT_LIST_DIR}/select.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/write_srgb.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../simd.cpp)
 include(${CMAKE_CURRENT_LIST_DIR}/sample.cmake)
 if(CLEARPIPE_SANITIZE)
@@ -13,7 +14,7 @@ if(CLEARPIPE_SANITIZE)
 endif()
 
 if(CLEARPIPE_TESTS)
-  foreach(test shade antialias cube multisample)
+  foreach(test shade antialias cube multisample srgb)
     add_executable(${test}_test ${CMAKE_CURRENT_LIST_DIR}/${test}_test.cpp)
     target_link_libraries(${test}_test PRIVATE clearpipe_pipeline GTest::gtest_main)
     foreach(simd scalar sse4 avx2 avx512)

@@ -21,6 +21,7 @@
 #include "pipeline/fragment/texcoord-inl.h"
 #include "pipeline/fragment/texenv-inl.h"
 #include "pipeline/fragment/write-inl.h"
+#include "pipeline/fragment/write_srgb.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -101,6 +102,14 @@ inline void pack_colour(const StageContext&, FragmentBatch& batch, int) {
 
 inline void blend(const StageContext& context, FragmentBatch& batch, int) {
   blend_stage(context.program.blend, batch);
+}
+
+inline void pack_srgb(const StageContext&, FragmentBatch& batch, int) {
+  pipeline::pack_srgb(batch);
+}
+
+inline void blend_srgb(const StageContext& context, FragmentBatch& batch, int) {
+  pipeline::blend_srgb(context.program.blend, batch);
 }
 
 inline void logic_op(const StageContext& context, FragmentBatch& batch, int) {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "pipeline/srgb.h"
+
 namespace clearpipe::pipeline {
 
 namespace {
@@ -65,6 +67,15 @@ void resolve_samples(const Tile* tiles, uint32_t* mean) {
       ga += tiles[s].colour[i] >> 8 & kHalves;
     }
     mean[i] = (rb >> 2 & kHalves) | (ga >> 2 & kHalves) << 8;
+  }
+}
+
+// The same of linear colours.
+void resolve_srgb(const Tile* tiles, uint32_t* mean) {
+  for (int i = 0; i < kTilePixels; ++i) {
+    uint32_t samples[kSampleCount];
+    for (int s = 0; s < kSampleCount; ++s) samples[s] = tiles[s].colour[i];
+    mean[i] = mean_srgb(samples);
   }
 }
 
@@ -187,7 +198,7 @@ void TilePlanes::resolve() {
     pixels.set_uniform(first.uniform_value());
   } else {
     pixels.overwrite();
-    resolve_samples(tiles_.tiles.data(), pixels.memory());
+    (to.srgb ? resolve_srgb : resolve_samples)(tiles_.tiles.data(), pixels.memory());
   }
   pixels.store();
   if (samples_discarded()) to.samples->discarded[tile_index_] = 0;
