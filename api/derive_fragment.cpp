@@ -394,9 +394,9 @@ void derive_fragment(Context& context) {
     if (!unit.enabled) continue;
     const TextureObject& texture = *enabled_texture(from);
     unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
+    unit.srgb = is_srgb(texture.level[0].internal);
     const bool absent = texture.level[0].width == 0;  // of an external texture
     unit.image = absent ? no_image() : texture.image;
-    unit.srgb = is_srgb(texture.level[0].internal);
     if (samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }

@@ -79,6 +79,36 @@ TEST_F(TextureErrors, ImagesOfCubeMaps) {
   expect_refused(kIncomplete);
 }
 
+TEST_F(TextureErrors, EncodedImages) {
+  static constexpr GLenum kFb = GL_FRAMEBUFFER_OES, kPoint = GL_COLOR_ATTACHMENT0_OES;
+  static constexpr GLenum kSrgb = GL_SRGB_EXT, kSrgba = GL_SRGB_ALPHA_EXT;
+  glBindTexture(k2D, kPlain);
+  glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, kSrgb, kByte, nullptr);
+  glBindFramebufferOES(kFb, 31);
+  const ErrorCase kCases[] = {
+    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, GL_RGB, kByte, nullptr)),
+    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, GL_RGB, 4, 4, 0, kSrgb, kByte, nullptr)),
+    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, kSrgba, 4, 4, 0, kSrgb, kByte, nullptr)),
+    REFUSED(GL_INVALID_OPERATION,
+            glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, kSrgb, GL_UNSIGNED_SHORT_5_6_5, nullptr)),
+    REFUSED(GL_INVALID_VALUE,
+            glTexImage2D(k2D, 0, GL_SRGB8_ALPHA8_EXT, 4, 4, 0, kSrgba, kByte, nullptr)),
+    REFUSED(GL_INVALID_OPERATION, glTexSubImage2D(k2D, 0, 0, 0, 1, 1, GL_RGB, kByte, f)),
+    REFUSED(GL_INVALID_OPERATION, glTexSubImage2D(k2D, 0, 0, 0, 1, 1, kSrgba, kByte, f)),
+    REFUSED(GL_INVALID_ENUM, glCopyTexImage2D(k2D, 0, kSrgb, 0, 0, 1, 1, 0)),
+    REFUSED(GL_INVALID_OPERATION, glGenerateMipmapOES(k2D)),
+    REFUSED(GL_INVALID_ENUM, glRenderbufferStorageOES(GL_RENDERBUFFER_OES, kSrgba, 4, 4)),
+    REFUSED(GL_INVALID_ENUM, GLint encoding; glGetFramebufferAttachmentParameterivOES(
+                kFb, kPoint, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT, &encoding)),
+  };
+  expect_refused(kCases);
+  glBindFramebufferOES(kFb, 0);
+  const ErrorCase kRead[] = {
+      REFUSED(GL_INVALID_ENUM, glReadPixels(0, 0, 1, 1, kSrgba, kByte, f)),
+  };
+  expect_refused(kRead);
+}
+
 // Nothing but an EGLImage gives an external texture an image, and it has one level.
 TEST_F(TextureErrors, ExternalTextures) {
   static constexpr GLenum kExternal = GL_TEXTURE_EXTERNAL_OES, kFb = GL_FRAMEBUFFER_OES;
@@ -115,36 +145,6 @@ TEST_F(TextureErrors, ExternalTextures) {
   expect_refused(kCases);
   glTexParameteri(kExternal, GL_GENERATE_MIPMAP, GL_FALSE);  // what it is
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-}
-
-TEST_F(TextureErrors, EncodedImages) {
-  static constexpr GLenum kFb = GL_FRAMEBUFFER_OES, kPoint = GL_COLOR_ATTACHMENT0_OES;
-  static constexpr GLenum kSrgb = GL_SRGB_EXT, kSrgba = GL_SRGB_ALPHA_EXT;
-  glBindTexture(k2D, kPlain);
-  glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, kSrgb, kByte, nullptr);
-  glBindFramebufferOES(kFb, 31);
-  const ErrorCase kCases[] = {
-    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, GL_RGB, kByte, nullptr)),
-    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, GL_RGB, 4, 4, 0, kSrgb, kByte, nullptr)),
-    REFUSED(GL_INVALID_OPERATION, glTexImage2D(k2D, 0, kSrgba, 4, 4, 0, kSrgb, kByte, nullptr)),
-    REFUSED(GL_INVALID_OPERATION,
-            glTexImage2D(k2D, 0, kSrgb, 4, 4, 0, kSrgb, GL_UNSIGNED_SHORT_5_6_5, nullptr)),
-    REFUSED(GL_INVALID_VALUE,
-            glTexImage2D(k2D, 0, GL_SRGB8_ALPHA8_EXT, 4, 4, 0, kSrgba, kByte, nullptr)),
-    REFUSED(GL_INVALID_OPERATION, glTexSubImage2D(k2D, 0, 0, 0, 1, 1, GL_RGB, kByte, f)),
-    REFUSED(GL_INVALID_OPERATION, glTexSubImage2D(k2D, 0, 0, 0, 1, 1, kSrgba, kByte, f)),
-    REFUSED(GL_INVALID_ENUM, glCopyTexImage2D(k2D, 0, kSrgb, 0, 0, 1, 1, 0)),
-    REFUSED(GL_INVALID_OPERATION, glGenerateMipmapOES(k2D)),
-    REFUSED(GL_INVALID_ENUM, glRenderbufferStorageOES(GL_RENDERBUFFER_OES, kSrgba, 4, 4)),
-    REFUSED(GL_INVALID_ENUM, GLint encoding; glGetFramebufferAttachmentParameterivOES(
-                kFb, kPoint, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT, &encoding)),
-  };
-  expect_refused(kCases);
-  glBindFramebufferOES(kFb, 0);
-  const ErrorCase kRead[] = {
-      REFUSED(GL_INVALID_ENUM, glReadPixels(0, 0, 1, 1, kSrgba, kByte, f)),
-  };
-  expect_refused(kRead);
 }
 
 TEST_F(TextureErrors, FacesAsAttachments) {

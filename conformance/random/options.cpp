@@ -39,8 +39,8 @@ Options read_options(int argc, char** argv) {
       options.group = value;
     } else if (flag == "--subject") {
       options.subject = value;
-      if (value != "clearpipe" && value != "llvmpipe" && value != "softpipe") {
-        refuse("--subject takes clearpipe, llvmpipe or softpipe, not " + value);
+      if (value != "clearpipe" && value != "llvmpipe" && value != "softpipe" && value != "gles") {
+        refuse("--subject takes clearpipe, llvmpipe, softpipe or gles, not " + value);
       }
     } else if (flag == "--save") {
       options.save = value;
@@ -53,7 +53,8 @@ Options read_options(int argc, char** argv) {
     }
   }
   // The libraries of Mesa fix their driver when they are loaded: one of them in a process.
-  if (options.subject != "clearpipe" && options.against.empty() && options.save.empty()) {
+  const bool has_driver = options.subject == "llvmpipe" || options.subject == "softpipe";
+  if (has_driver && options.against.empty() && options.save.empty()) {
     refuse("--subject " + options.subject + " needs --against or --save");
   }
   return options;

@@ -7,7 +7,8 @@
 //   --group NAME      only the seeds that have this group
 //   --limit PERCENT   of a seed's pixels that may be beyond 8/255 (default 1)
 //   --no-minimise     do not shorten the streams of failing seeds
-//   --subject NAME    what is compared: clearpipe (default), or Mesa's llvmpipe or softpipe
+//   --subject NAME    what is compared: clearpipe (default), Mesa's llvmpipe or softpipe, or gles:
+//                     Mesa's own OpenGL ES 1.1 through EGL, on llvmpipe
 //   --save FOLDER     writes what the subject drew, and compares with nothing
 //   --against FOLDER  compares with what was saved there, not with a reference in this process
 //
@@ -44,9 +45,13 @@ Statistics statistics;
 Implementation& subject() {
   static const std::unique_ptr<Implementation> implementation =
       options.subject == "clearpipe" ? open_through_egl()
+      : options.subject == "gles"    ? open_mesa_through_egl(0)
                                      : reference::open_osmesa(options.subject.c_str());
   return *implementation;
 }
+
+// What the subject must call itself.
+std::string renderer() { return options.subject == "gles" ? "llvmpipe" : options.subject; }
 
 Implementation& reference() {
   static const auto implementation = reference::open_osmesa();
@@ -92,7 +97,7 @@ void run_seed(uint32_t seed) {
   const Stream stream = generate(seed);
   ASSERT_TRUE(reads_only_its_own(stream)) << "seed " << seed;
   const Outcome outcome = replay(stream, subject());
-  ASSERT_NE(subject().name().find(options.subject), std::string::npos)
+  ASSERT_NE(subject().name().find(renderer()), std::string::npos)
       << "the loader gave " << subject().name();
   if (!options.save.empty()) return save(outcome, options.save, seed);
   const bool live = options.against.empty();

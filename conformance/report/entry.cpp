@@ -42,7 +42,7 @@ json headings(const Entry& entry) {
 json of_second(const Entry& entry) {
   const Second& second = entry.second;
   if (second.name.empty()) return nullptr;
-  json result = {{"name", second.name}, {"complaint", second.complaint}};
+  json result = {{"name", second.name}, {"complaint", second.complaint}, {"cause", second.cause}};
   if (second.image.pixels.empty()) return result;
   result["with_reference"] = figures(second.with_reference);
   result["with_subject"] = figures(second.with_subject);

@@ -14,6 +14,7 @@ namespace clearpipe::conformance::report {
 struct Second {
   std::string name;       // empty: there is none
   std::string complaint;  // why there is no picture, if there is none
+  std::string cause;      // of its difference from the reference, if it is known
   Image image;
   Agreement with_reference, with_subject;
 };

@@ -50,9 +50,10 @@
 
   function second(e) {
     if (!referencesDiffer(e)) return null;
-    if (e.second.complaint) return `${e.second.name}: ${e.second.complaint}.`;
+    const cause = e.second.cause ? ` Because: ${e.second.cause}.` : '';
+    if (e.second.complaint) return `${e.second.name}: ${e.second.complaint}.${cause}`;
     return `The references differ. ${e.second.name} with ${e.reference_name}: ${describe(e.second.with_reference)}; ` +
-      `with ${data.subject}: ${describe(e.second.with_subject)}.`;
+      `with ${data.subject}: ${describe(e.second.with_subject)}.${cause}`;
   }
 
   function lines(e) {
