@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# Debian packages: cpack --config build/CPackConfig.cmake, or scripts/package. Three, by who needs them: `clearpipe` runs
-# programs, `clearpipe-dev` builds them, `clearpipe-tools` are the commands.
+# Debian packages: cpack --config build/CPackConfig.cmake, or scripts/package. By who needs them: `clearpipe` runs programs,
+# `clearpipe-dev` builds them, `clearpipe-tools` are the commands, and `clearpipe-validate` compares with Mesa. Takes `packages`.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME clearpipe)
 set(CPACK_PACKAGE_VENDOR clearpipe)
 set(CPACK_PACKAGE_CONTACT "clearpipe's maintainers <maintainers@clearpipe.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL library dev tools)
+set(CPACK_COMPONENTS_ALL ${packages})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -40,5 +40,14 @@ set(CPACK_COMPONENT_TOOLS_DEPENDS library)
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "OpenGL ES 1.1 and EGL 1.5 in software, the commands
 clearpipe-run runs a program on clearpipe, clearpipe-gears draws gears.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_DEBIAN_VALIDATE_PACKAGE_NAME clearpipe-validate)
+set(CPACK_DEBIAN_VALIDATE_PACKAGE_SECTION utils)
+set(CPACK_COMPONENT_VALIDATE_DEPENDS library)
+set(CPACK_COMPONENT_VALIDATE_DESCRIPTION "OpenGL ES 1.1 and EGL 1.5 in software, compared with Mesa
+clearpipe-validate runs a program on clearpipe and on Mesa, compares the
+frames, and writes a page that shows them.")
+set(CPACK_DEBIAN_VALIDATE_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri")
+set(CPACK_DEBIAN_VALIDATE_PACKAGE_SHLIBDEPS ON)
 
 include(CPack)
