@@ -17,6 +17,8 @@ struct Topic {
 
 constexpr Topic kTopics[] = {
     {"arrays", {kOperation, "2.8 Vertex Arrays"}},
+    {"objects", {kOperation, "2.9 Buffer Objects, with extensions of arrays"}},
+    {"fixed_point", {kOperation, "2.3 GL Command Syntax, in fixed point"}},
     {"clipping", {kOperation, "2.11 Clipping"}},
     {"lighting", {kOperation, "2.12 Colors and Coloring"}},
     {"multisampling", {kRasterization, "3.2.1 Multisampling"}},

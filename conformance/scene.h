@@ -34,7 +34,8 @@ struct Scene {
   const char* name;
   void (*draw)(const Gl& gl);
   Tolerance tolerance;
-  int samples = 0;  // of the buffers; with some, the reference is Mesa's own OpenGL ES 1.1
+  int samples = 0;     // of the buffers; OSMesa's have none
+  bool on_es = false;  // OSMesa cannot draw it: the reference is Mesa's own OpenGL ES 1.1
   int width = 256, height = 256;
 };
 
@@ -51,12 +52,13 @@ struct Registration {
 };
 
 // SCENE(topic, name, tolerance) { ... gl.DrawArrays(...) ... }
-#define SCENE(topic, name, tolerance) SCENE_OF_SAMPLES(topic, name, tolerance, 0)
-#define MULTISAMPLED_SCENE(topic, name, tolerance) SCENE_OF_SAMPLES(topic, name, tolerance, 4)
-#define SCENE_OF_SAMPLES(topic, name, tolerance, samples)                                  \
-  static void topic##_##name(const ::clearpipe::conformance::Gl& gl);                      \
-  static const ::clearpipe::conformance::Registration register_##topic##_##name(           \
-      ::clearpipe::conformance::Scene{#topic, #name, topic##_##name, tolerance, samples}); \
+#define SCENE(topic, name, tolerance) SCENE_OF_KIND(topic, name, tolerance, 0, false)
+#define MULTISAMPLED_SCENE(topic, name, tolerance) SCENE_OF_KIND(topic, name, tolerance, 4, true)
+#define ES_SCENE(topic, name, tolerance) SCENE_OF_KIND(topic, name, tolerance, 0, true)
+#define SCENE_OF_KIND(topic, name, tolerance, samples, on_es)                                     \
+  static void topic##_##name(const ::clearpipe::conformance::Gl& gl);                             \
+  static const ::clearpipe::conformance::Registration register_##topic##_##name(                  \
+      ::clearpipe::conformance::Scene{#topic, #name, topic##_##name, tolerance, samples, on_es}); \
   static void topic##_##name([[maybe_unused]] const ::clearpipe::conformance::Gl& gl)
 
 }  // namespace clearpipe::conformance

@@ -38,13 +38,17 @@ Implementation& reference(const Scene& scene) {
     static const auto multisampled = open_mesa_through_egl(4);
     return *multisampled;
   }
+  if (scene.on_es) {
+    static const auto es = open_mesa_through_egl(0);
+    return *es;
+  }
   static const auto implementation = reference::open_osmesa();
   return *implementation;
 }
 
 // Mesa's OpenGL ES 1.1 beside OSMesa; null when the environment names no vendor library of Mesa's.
 Implementation* second_reference(const Scene& scene) {
-  if (scene.samples > 0) return nullptr;
+  if (scene.on_es) return nullptr;
   static const auto implementation = []() -> std::unique_ptr<Implementation> {
     try {
       return open_mesa_through_egl(0);
@@ -199,7 +203,7 @@ TEST_P(SceneTest, AgreesWithTheReference) {
               scene.tolerance.reason != nullptr ? scene.tolerance.reason : "");
   entry.second = draw_on_second(scene, image, expected);
   print_second(name, entry.second);
-  entry.reference_name = scene.samples > 0 ? "Mesa's OpenGL ES 1.1" : "OSMesa";
+  entry.reference_name = scene.on_es ? "Mesa's OpenGL ES 1.1" : "OSMesa";
   entry.subject = image;
   entry.reference = expected;
   entry.agreement = agreement;

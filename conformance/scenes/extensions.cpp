@@ -1,4 +1,4 @@
-// Extensions of the texture and fragment stages that the desktop has too.
+// Extensions of the texture and fragment stages.
 // SPDX-License-Identifier: MIT
 #include "conformance/scenes/draw.h"
 
@@ -58,6 +58,24 @@ SCENE(extensions, blend_equations, kColours) {
     }
     draw(gl, GL_TRIANGLES, bar);
     y += 50;
+  }
+}
+
+// OES_draw_texture with whole numbers and one unit, where Mesa follows it (numerics.md).
+ES_SCENE(extensions, draw_texture, kExact) {
+  clear(gl, 0.2f, 0.3f, 0.5f);
+  noise_texture(gl, 32, 32, 211);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  gl.Enable(GL_TEXTURE_2D);
+  const GLint crops[][4] = {{0, 0, 32, 32}, {4, 8, 16, 8}, {32, 0, -32, 32}, {0, 32, 32, -32}};
+  GLint x = 0;
+  for (const GLint* crop : crops) {
+    gl.TexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_CROP_RECT_OES, crop);
+    gl.DrawTexiOES(x + 4, 10, 0, 32, 32);
+    gl.DrawTexiOES(x, 60, 0, 64, 128);
+    x += 64;
   }
 }
 
