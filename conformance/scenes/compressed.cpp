@@ -101,13 +101,7 @@ void paletted_texture(const Gl& gl, const Palette& palette, GLsizei width, GLsiz
 void with_mipmaps(const Gl& gl, GLenum format) {
   compressed_texture(gl, format, 64, 64);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  clear(gl);
-  perspective(gl);
-  gl.Enable(GL_TEXTURE_2D);
-  gl.Translatef(0, -0.6f, -1.2f);
-  gl.Rotatef(-72, 1, 0, 0);
-  gl.Rotatef(17, 0, 0, 1);
-  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, 2, 6), kTexCoords);
+  textured_plate(gl, 2);
 }
 
 }  // namespace

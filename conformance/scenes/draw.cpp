@@ -73,6 +73,17 @@ std::vector<Vertex> rectangle(float x0, float y0, float x1, float y1, float z, f
   return {a, b, c, a, c, d};
 }
 
+void textured_plate(const Gl& gl, float repeat) {
+  clear(gl);
+  perspective(gl);
+  gl.Enable(GL_TEXTURE_2D);
+  gl.Translatef(0, -0.6f, -1.2f);
+  gl.Rotatef(-72, 1, 0, 0);
+  gl.Rotatef(17, 0, 0, 1);
+  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, repeat, repeat * 3),
+       kTexCoords);
+}
+
 std::vector<Vertex> lines_between_pixels() {
   constexpr int kReach = 4, kCell = 12, kQuarter = 128;
   std::vector<Vertex> lines;

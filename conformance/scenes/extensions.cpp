@@ -10,13 +10,7 @@ namespace {
 void mipmapped_plate(const Gl& gl) {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  clear(gl);
-  perspective(gl);
-  gl.Enable(GL_TEXTURE_2D);
-  gl.Translatef(0, -0.6f, -1.2f);
-  gl.Rotatef(-72, 1, 0, 0);
-  gl.Rotatef(17, 0, 0, 1);
-  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, 5, 15), kTexCoords);
+  textured_plate(gl, 5);
 }
 
 }  // namespace

@@ -96,13 +96,7 @@ SCENE(srgb, clamped, kColours) { plain(gl, GL_SRGB_EXT, GL_LINEAR, GL_CLAMP_TO_E
 
 SCENE(srgb, mipmaps, kColours) {
   encoded_texture(gl, GL_SRGB_ALPHA_EXT, 64, GL_LINEAR_MIPMAP_LINEAR);
-  clear(gl);
-  perspective(gl);
-  gl.Translatef(0, -0.6f, -1.2f);
-  gl.Rotatef(-72, 1, 0, 0);
-  gl.Rotatef(17, 0, 0, 1);
-  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, 2, 6),
-       kColoursArray | kTexCoords);
+  textured_plate(gl, 2);
 }
 
 // Beside an image that is not encoded, combined with it.

@@ -6,23 +6,11 @@ namespace clearpipe::conformance {
 
 namespace {
 
-// A plate seen in perspective, from near and magnified to far and minified.
-void plate(const Gl& gl, float repeat) {
-  clear(gl);
-  perspective(gl);
-  gl.Enable(GL_TEXTURE_2D);
-  gl.Translatef(0, -0.6f, -1.2f);
-  gl.Rotatef(-72, 1, 0, 0);
-  gl.Rotatef(17, 0, 0, 1);
-  draw(gl, GL_TRIANGLES, rectangle(-2.2f, -1, 2.2f, 12, 0, -0.3f, -0.2f, repeat, repeat * 3),
-       kTexCoords);
-}
-
 void filtered_plate(const Gl& gl, GLenum min, GLenum mag, float repeat = 2) {
   noise_texture(gl, 32, 32, 80, true);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(min));
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(mag));
-  plate(gl, repeat);
+  textured_plate(gl, repeat);
 }
 
 void wrapped(const Gl& gl, GLenum s, GLenum t, GLenum filter) {
