@@ -65,8 +65,8 @@ std::vector<Vertex> lines_between_pixels();
 // A sphere around the origin with normals and texture coordinates, as triangles.
 std::vector<Vertex> sphere(float radius, int slices, int stacks);
 
-// Clears, and draws a plate in perspective with the bound texture, which repeats so often across it:
-// from near and magnified to far and minified.
+// Clears, and draws a plate in perspective with the bound texture, which repeats so often across
+// it: from near and magnified to far and minified.
 void textured_plate(const Gl& gl, float repeat);
 
 // Binds a new 2D texture of the active unit with random texels over a gradient, RGBA.
