@@ -75,6 +75,21 @@ class EglTest : public testing::Test {
     eglReleaseThread();
   }
 
+  // The colour as it is read, RGBA8.
+  static void clear(uint32_t colour) {
+    const auto component = [colour](int shift) {
+      return static_cast<float>(colour >> shift & 255) / 255;
+    };
+    glClearColor(component(0), component(8), component(16), component(24));
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  static void clear_part(uint32_t colour, int x, int y, int width, int height) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
+    clear(colour);
+    glDisable(GL_SCISSOR_TEST);
+  }
+
   EGLConfig choose(std::vector<EGLint> attributes) {
     attributes.insert(attributes.end(), {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE});
     EGLConfig found = nullptr;

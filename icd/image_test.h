@@ -114,12 +114,6 @@ class ImageTest : public EglTest {
     draw_texture();
     return pixel();
   }
-  static void clear(uint32_t colour) {
-    glClearColor(
-        static_cast<float>(colour & 255) / 255, static_cast<float>(colour >> 8 & 255) / 255,
-        static_cast<float>(colour >> 16 & 255) / 255, static_cast<float>(colour >> 24) / 255);
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
   GLuint framebuffer() {
     GLuint name = 0;
     gen_framebuffers(1, &name);

@@ -33,13 +33,6 @@ class SurfaceTextureTest : public EglTest {
                            EGL_NONE};
     return eglCreatePbufferSurface(display, config, list);
   }
-  static void clear(uint32_t colour) {
-    const auto component = [colour](int shift) {
-      return static_cast<float>(colour >> shift & 255) / 255;
-    };
-    glClearColor(component(0), component(8), component(16), component(24));
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
   // Draws one colour to the surface, and goes back to the one that is looked at.
   void fill(EGLSurface surface, uint32_t colour) {
     ASSERT_TRUE(eglMakeCurrent(display, surface, surface, context_));

@@ -102,19 +102,6 @@ class WaylandTest : public EglTest {
   static uint32_t at(const Commit& commit, int x, int y) {
     return commit.shown[static_cast<size_t>(y * commit.width + x)];
   }
-  static void clear(uint32_t colour) {
-    const auto component = [colour](int shift) {
-      return static_cast<float>(colour >> shift & 255) / 255;
-    };
-    glClearColor(component(0), component(8), component(16), component(24));
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
-  static void clear_part(uint32_t colour, int x, int y, int width, int height) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(x, y, width, height);
-    clear(colour);
-    glDisable(GL_SCISSOR_TEST);
-  }
 
   TestCompositor compositor_;
   wl_display* wayland_ = nullptr;

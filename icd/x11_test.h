@@ -107,19 +107,6 @@ class X11Test : public EglTest {
     const uint32_t b = is_565 ? part(0, 31) : part(0, 255);
     return kBlack | b << 16 | g << 8 | r;
   }
-  static void clear(uint32_t colour) {
-    const auto component = [colour](int shift) {
-      return static_cast<float>(colour >> shift & 255) / 255;
-    };
-    glClearColor(component(0), component(8), component(16), component(24));
-    glClear(GL_COLOR_BUFFER_BIT);
-  }
-  static void clear_part(uint32_t colour, int x, int y, int width, int height) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(x, y, width, height);
-    clear(colour);
-    glDisable(GL_SCISSOR_TEST);
-  }
   static uint32_t pixel(int x = 0, int y = 0) {
     uint32_t value = 0;
     glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &value);
