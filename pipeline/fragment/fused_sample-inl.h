@@ -160,6 +160,16 @@ HWY_NOINLINE BlockPairs<VecTexels> load_apart(const SampleLevel& level, VecU fir
   return {hn::Load(d, texels[0]), hn::Load(d, texels[1])};
 }
 
+// A table of bytes for each block of 128 bits, whole, so that it is an operand in memory.
+struct BlockTable {
+  alignas(64) uint8_t bytes[64];
+
+  constexpr explicit BlockTable(const uint8_t (&block)[16]) : bytes() {
+    for (size_t i = 0; i < sizeof(bytes); ++i) bytes[i] = block[i % sizeof(block)];
+  }
+  HWY_INLINE hn::Vec<TagBytes> load() const { return hn::Load(TagBytes(), bytes); }
+};
+
 // a + weight (b - a), rounded to nearest, for 8-bit values; the weight has 15 fraction bits.
 HWY_INLINE Vec16 lerp_8(Vec16 weight, Vec16 a, Vec16 b) {
   return hn::Add(a, hn::MulFixedPoint15(weight, hn::Sub(b, a)));
@@ -173,37 +183,67 @@ struct SpreadWeights {
   HWY_INLINE explicit SpreadWeights(VecI weight) {
     const TagBytes d;
     const Tag16 d16;
-    alignas(16) static constexpr uint8_t kFirst[16] = {0, 1, 0, 1, 0, 1, 0, 1,
-                                                       4, 5, 4, 5, 4, 5, 4, 5};
-    alignas(16) static constexpr uint8_t kLast[16] = {8,  9,  8,  9,  8,  9,  8,  9,
-                                                      12, 13, 12, 13, 12, 13, 12, 13};
+    static constexpr BlockTable kFirst({0, 1, 0, 1, 0, 1, 0, 1, 4, 5, 4, 5, 4, 5, 4, 5});
+    static constexpr BlockTable kLast({8, 9, 8, 9, 8, 9, 8, 9, 12, 13, 12, 13, 12, 13, 12, 13});
     const auto bytes = hn::BitCast(d, hn::ShiftLeft<7>(weight));
-    first = hn::BitCast(d16, hn::TableLookupBytes(bytes, hn::LoadDup128(d, kFirst)));
-    last = hn::BitCast(d16, hn::TableLookupBytes(bytes, hn::LoadDup128(d, kLast)));
+    first = hn::BitCast(d16, hn::TableLookupBytes(bytes, kFirst.load()));
+    last = hn::BitCast(d16, hn::TableLookupBytes(bytes, kLast.load()));
   }
 };
 
 HWY_INLINE Vec16 lerp_neighbours(Vec16 weight, VecTexels texels) {
   const TagBytes d;
   const Tag16 d16;
-  alignas(16) static constexpr uint8_t kFirst[16] = {0, 0x80, 1, 0x80, 2,  0x80, 3,  0x80,
-                                                     8, 0x80, 9, 0x80, 10, 0x80, 11, 0x80};
-  alignas(16) static constexpr uint8_t kSecond[16] = {4,  0x80, 5,  0x80, 6,  0x80, 7,  0x80,
-                                                      12, 0x80, 13, 0x80, 14, 0x80, 15, 0x80};
+  constexpr uint8_t kNone = 0x80;
+  static constexpr BlockTable kFirst(
+      {0, kNone, 1, kNone, 2, kNone, 3, kNone, 8, kNone, 9, kNone, 10, kNone, 11, kNone});
+  static constexpr BlockTable kSecond(
+      {4, kNone, 5, kNone, 6, kNone, 7, kNone, 12, kNone, 13, kNone, 14, kNone, 15, kNone});
   const auto bytes = hn::BitCast(d, texels);
-  const auto first = hn::TableLookupBytesOr0(bytes, hn::LoadDup128(d, kFirst));
-  const auto second = hn::TableLookupBytesOr0(bytes, hn::LoadDup128(d, kSecond));
+  const auto first = hn::TableLookupBytesOr0(bytes, kFirst.load());
+  const auto second = hn::TableLookupBytesOr0(bytes, kSecond.load());
   return lerp_8(weight, hn::BitCast(d16, first), hn::BitCast(d16, second));
+}
+
+// The axes of sample_axis-inl.h. Coordinates that are small enough, as nearly all are, become fixed
+// point by the rounding of an addition: a conversion has to guard against overflow.
+template <WrapKind kS, WrapKind kT>
+HWY_INLINE void linear_axes(const SampleLevel& level, VecF s, VecF t, LinearAxis& x,
+                            LinearAxis& y) {
+  using sampling::HWY_NAMESPACE::linear_axis;
+  if constexpr (kS == WrapKind::kRepeatPowerOfTwo && kT == WrapKind::kRepeatPowerOfTwo) {
+    const TagF d;
+    const TagI di;
+    const VecF u = hn::Mul(s, hn::Set(d, static_cast<float>(level.width) * 256.0f));
+    const VecF v = hn::Mul(t, hn::Set(d, static_cast<float>(level.height) * 256.0f));
+    const VecF limit = hn::Set(d, 4194304.0f);
+    if (HWY_LIKELY(hn::AllTrue(d, hn::And(hn::Lt(hn::Abs(u), limit), hn::Lt(hn::Abs(v), limit))))) {
+      const auto axis = [&](VecF scaled, int size) HWY_ATTR {
+        const VecF magic = hn::Set(d, 12582912.0f);
+        const VecI to_fixed =
+            hn::Set(di, 0x4b400000 + 128);  // the bits of `magic`, and half a texel
+        const VecI fixed = hn::Sub(hn::BitCast(di, hn::Add(scaled, magic)), to_fixed);
+        const VecI last = hn::Set(di, size - 1);
+        const VecI first = hn::And(hn::ShiftRight<8>(fixed), last);
+        return LinearAxis{first, hn::And(hn::Add(first, hn::Set(di, 1)), last),
+                          hn::And(fixed, hn::Set(di, 255))};
+      };
+      x = axis(u, level.width);
+      y = axis(v, level.height);
+      return;
+    }
+  }
+  x = linear_axis<kS>(s, level.width);
+  y = linear_axis<kT>(t, level.height);
 }
 
 // 3.7.8 for half of a group: the colours of its pixels in the two vectors of 64-bit lanes.
 template <WrapKind kS, WrapKind kT>
 HWY_INLINE void sample_linear_half(const SampleLevel& level, VecF s, VecF t, Vec16& first,
                                    Vec16& last) {
-  using sampling::HWY_NAMESPACE::linear_axis;
   const TagI d;
-  const LinearAxis x = linear_axis<kS>(s, level.width);
-  const LinearAxis y = linear_axis<kT>(t, level.height);
+  LinearAxis x, y;
+  linear_axes<kS, kT>(level, s, t, x, y);
   const VecI width = hn::Set(d, level.width);
   const VecI row0 = hn::Mul(y.first, width), row1 = hn::Mul(y.second, width);
   const auto at = [](VecI row, VecI column)
