@@ -47,6 +47,7 @@ using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePl
 
 struct FragmentProgram {
   FusedFunction fused = nullptr;  // null: the chain
+  bool batches_small = false;     // see small.h
   FragmentInputs inputs;
   std::array<ChainStep, 14 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;

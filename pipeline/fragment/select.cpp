@@ -11,6 +11,7 @@
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
+#include "pipeline/fragment/small.h"
 
 namespace clearpipe::pipeline {
 
@@ -172,9 +173,12 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
     select_fused(*program);
+    program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   return program;
 }
+
+bool batches_small(const FragmentProgram& program) { return program.batches_small; }
 
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
