@@ -94,7 +94,7 @@ void run_back(const std::vector<DrawRecord>& draws,
       if (!cover(primitive, planes, coverage)) {
         continue;
       }
-      const DrawRecord& draw = draws[primitive.draw];
+      const DrawState& draw = *draws[primitive.draw].state;
       planes.prepare(draw.outputs,
                      draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
       PrimitivePlanes attributes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
 #include "pipeline/exec/frame_data.h"
 
@@ -25,6 +26,19 @@ uint32_t primitive_count(Primitive primitive, uint32_t count) {
       return count < 3 ? 0 : count - 2;
   }
   return 0;
+}
+
+uint32_t corners_of(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::kPoints:
+      return 1;
+    case Primitive::kLines:
+      return 2;
+    case Primitive::kTriangles:
+      return 3;
+    default:
+      return 0;
+  }
 }
 
 namespace {
@@ -68,20 +82,19 @@ int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t
 }
 
 uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
-  const DrawCommand& command = draw.command;
-  switch (command.index_type) {
+  switch (draw.index_type) {
     case IndexType::kNone:
-      return command.first + vertex - draw.index_base;
+      return draw.first + vertex - draw.index_base;
     case IndexType::kUnsignedByte:
-      return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
+      return std::to_integer<uint32_t>(draw.indices[vertex]) - draw.index_base;
     case IndexType::kUnsignedShort: {
       uint16_t value;
-      std::memcpy(&value, command.indices + size_t{2} * vertex, sizeof(value));
+      std::memcpy(&value, draw.indices + size_t{2} * vertex, sizeof(value));
       return value - draw.index_base;
     }
     case IndexType::kUnsignedInt: {
       uint32_t value;
-      std::memcpy(&value, command.indices + size_t{4} * vertex, sizeof(value));
+      std::memcpy(&value, draw.indices + size_t{4} * vertex, sizeof(value));
       return value - draw.index_base;
     }
   }
@@ -90,15 +103,25 @@ uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
 
 }  // namespace
 
-// The scratch memory of one worker: the elements of the range at hand with a table that finds an
+// Whether the vertices of both draws can come out of one vertex job.
+bool share_job(const DrawRecord& a, const DrawRecord& b) {
+  return a.sources == b.sources && a.state->vertex_group == b.state->vertex_group;
+}
+
+// The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
     packet.bins.reset(grid);
     packet.primitives.clear();
-    for (const PacketRange& range : packet.ranges) {
-      run_range(draws[range.draw], range, packet);
+    const std::vector<PacketRange>& ranges = packet.ranges;
+    for (size_t first = 0; first < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[first].draw];
+      size_t end = first + 1;
+      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw])) ++end;
+      run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
+      first = end;
     }
     packet.bins.close();
   }
@@ -123,37 +146,66 @@ class FrontWorker {
     return static_cast<uint16_t>(element_count_++);
   }
 
-  void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
-    ++generation_;
-    element_count_ = 0;
-    const Primitive primitive = draw.command.primitive;
-    int corners = 0;
+  // Lists the elements of a range, and of each corner of its primitives which of them it is.
+  void list_elements(const DrawRecord& draw, const PacketRange& range) {
+    uint16_t* corner = corner_.data() + corner_count_;
+    const uint32_t first = range.first_primitive;
+    if (draw.index_type == IndexType::kNone && corners_of(draw.primitive) != 0) {
+      // Each vertex belongs to one primitive.
+      const uint32_t corners = corners_of(draw.primitive) * range.primitive_count;
+      const uint32_t element = element_index(draw, corners_of(draw.primitive) * first);
+      for (uint32_t i = 0; i < corners; ++i) {
+        elements_[element_count_] = element + i;
+        corner[i] = static_cast<uint16_t>(element_count_++);
+      }
+      corner_count_ += corners;
+      return;
+    }
     for (uint32_t i = 0; i < range.primitive_count; ++i) {
       uint32_t vertex[3] = {};
-      corners =
-          primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
-      for (int k = 0; k < corners; ++k) {
-        corner_[3 * i + k] = local_vertex(element_index(draw, vertex[k]));
-      }
+      const int corners = primitive_vertices(draw.primitive, first + i, draw.count, vertex);
+      for (int k = 0; k < corners; ++k) *corner++ = local_vertex(element_index(draw, vertex[k]));
     }
-    const int stride = draw.setup.layout.stride;
+    corner_count_ = static_cast<uint32_t>(corner - corner_.data());
+  }
+
+  // Ranges of draws whose vertices come out of one job.
+  void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+                  Packet& packet) {
+    ++generation_;
+    element_count_ = corner_count_ = 0;
+    for (const PacketRange& range : ranges) list_elements(draws[range.draw], range);
+    const DrawRecord& draw = draws[ranges[0].draw];
+    const ClipState& clip = draw.state->clip;
+    const int stride = clip.layout.stride;
     float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
     VertexJob job;
-    job.draw = &draw.command;
-    job.state = draw.vertex;
-    job.viewport = draw.clip.viewport;
-    job.guard = draw.clip.guard;
-    job.layout = draw.setup.layout;
+    job.draw = draw.sources;
+    job.state = draw.state->vertex;
+    job.viewport = clip.viewport;
+    job.guard = clip.guard;
+    job.layout = clip.layout;
     job.elements = elements_.data();
     job.count = element_count_;
     job.records = records;
     run_vertex_stages(job);
+    const uint16_t* corner = corner_.data();
+    for (const PacketRange& range : ranges) {
+      corner = emit_range(draws[range.draw], range, records, corner, packet);
+    }
+  }
 
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+  // Primitives from the records of their vertices; returns the corners that follow.
+  const uint16_t* emit_range(const DrawRecord& draw, const PacketRange& range, float* records,
+                             const uint16_t* corner, Packet& packet) {
+    uint32_t unused[3];
+    const int corners = primitive_vertices(draw.primitive, 0, draw.count, unused);
+    const int stride = draw.state->clip.layout.stride;
+    for (uint32_t i = 0; i < range.primitive_count; ++i, corner += corners) {
       const float* v[3] = {};
       uint32_t any = 0, all = ~0u;
       for (int k = 0; k < corners; ++k) {
-        v[k] = records + static_cast<size_t>(corner_[3 * i + k]) * stride;
+        v[k] = records + static_cast<size_t>(corner[k]) * stride;
         uint32_t outcode;
         std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
         any |= outcode;
@@ -162,11 +214,12 @@ class FrontWorker {
       if (all != 0 && (all & ~uint32_t{kOutcodeGuard}) != 0) {
         continue;  // outside one plane as a whole
       }
-      emit(draw, range.draw, corners, v, any, packet);
+      emit(*draw.state, range.draw, corners, v, any, packet);
     }
+    return corner;
   }
 
-  void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
+  void emit(const DrawState& draw, uint32_t draw_index, int corners, const float* v[3],
             uint32_t outcodes, Packet& packet) {
     PrimitiveRecord record;
     record.draw = draw_index;
@@ -199,7 +252,7 @@ class FrontWorker {
   }
 
   Arena arena_;
-  uint32_t element_count_ = 0;
+  uint32_t element_count_ = 0, corner_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
   std::array<uint16_t, kPacketVertices> corner_;
   uint32_t generation_ = 0;
