@@ -68,7 +68,7 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   const int samples = planes.samples();
   Coverage coverage[kSampleCount];
   if (!cover(primitive, planes, coverage)) return;
-  const DrawRecord& draw = draws[primitive.draw];
+  const DrawState& draw = *draws[primitive.draw].state;
   planes.prepare(draw.outputs,
                  draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
   PrimitivePlanes attributes;
@@ -80,7 +80,7 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   }
 }
 
-// The primitives of a packet that touch the tile; neighbours that are small and of one draw
+// The primitives of a packet that touch the tile; neighbours that are small and of one state
 // together.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
                   std::span<const uint32_t> entries, TilePlanes& planes, SampleTiles& tiles) {
@@ -91,9 +91,9 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
       ++at;
       continue;
     }
-    const DrawRecord& draw = draws[packet.small[index & ~kSmallEntry].draw];
+    const DrawState& draw = *draws[packet.small[index & ~kSmallEntry].draw].state;
     planes.prepare(draw.outputs, false);
-    at += shade_small(draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
+    at += shade_small(draws, draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
   }
 }
 
