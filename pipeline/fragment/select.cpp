@@ -11,6 +11,7 @@
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
+#include "pipeline/fragment/small.h"
 
 namespace clearpipe::pipeline {
 
@@ -171,10 +172,13 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
-    program->fused = select_fused(*program);
+    select_fused(*program);
+    program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   return program;
 }
+
+bool batches_small(const FragmentProgram& program) { return program.batches_small; }
 
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
