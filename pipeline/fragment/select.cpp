@@ -12,6 +12,7 @@
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
 #include "pipeline/fragment/small.h"
+#include "pipeline/fragment/usage.h"
 
 namespace clearpipe::pipeline {
 
@@ -175,6 +176,7 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
     select_fused(*program);
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
+  program->usage = usage_of(*program);
   return program;
 }
 
