@@ -93,9 +93,11 @@ struct Frame::Impl {
       if (target.depth_stencil) {
         holder->target.has_depth = target.depth_stencil->has_depth;
         holder->target.has_stencil = target.depth_stencil->has_stencil;
+        holder->target.depth_bits = target.depth_stencil->depth_bits;
       }
       holder->target.multisampled = target.samples() > 1;
       holder->target.srgb = target.colour && target.colour->srgb;
+      if (target.colour) holder->target.format = target.colour->format;
       program = std::move(holder);
     }
     if (programs.empty() || programs.back() != program) {
@@ -154,6 +156,7 @@ struct Frame::Impl {
     draw.setup.inputs = fragment_inputs(*draw.program);
     draw.outputs = fragment_outputs(*draw.program);
     draw.setup.inputs.texture_units &= draw.setup.layout.texture_units;
+    if (target.depth_stencil) draw.setup.depth_bits = target.depth_stencil->depth_bits;
     draw.setup.mirror_height = target.mirrored ? target.height : 0;
     draw.setup.two_sided = draw.setup.layout.back_colour_offset != 0;
     draw.clip.layout = draw.setup.layout;
@@ -277,6 +280,10 @@ bool Frame::clear(const ClearCommand& command) try {
       clear.stencil_value = 0;
     }
     if (clear.stencil && !planes->has_depth) clear.depth = true;
+    if (clear.depth && planes->depth_bits == 32) {  // its lower bits are where stencil would be
+      clear.stencil_value = static_cast<uint8_t>(clear.depth_value);
+      clear.depth_value >>= 8;
+    }
   }
   if (clear.rect.x0 >= clear.rect.x1 || clear.rect.y0 >= clear.rect.y1) {
     return true;

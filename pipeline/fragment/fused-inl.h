@@ -140,7 +140,8 @@ class FusedLoop {
     const TagI d;
     auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + at);
     VecI packed = hn::Load(d, stored);
-    const VecI depth = depth_.test ? to_depth_value(TagF(), depth_plane_.at(x)) : hn::Zero(d);
+    const VecI depth =
+        depth_.test ? to_depth_value(TagF(), depth_, depth_plane_.at(x)) : hn::Zero(d);
     const MaskI passes = p_.stencil.enabled
                              ? depth_stencil_test(d, p_.stencil, depth_, live, depth, packed)
                              : depth_stencil_test(d, StencilState(), depth_, live, depth, packed);
