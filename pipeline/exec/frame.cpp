@@ -44,6 +44,7 @@ struct Frame::Impl {
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
+  TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
   std::vector<std::unique_ptr<SampleTiles>> tiles;
   std::atomic<size_t> cursor{0};
@@ -194,7 +195,7 @@ struct Frame::Impl {
     Impl& frame = *static_cast<Impl*>(context);
     const size_t tiles = static_cast<size_t>(frame.grid.count());
     for (size_t i = frame.cursor.fetch_add(1); i < tiles; i = frame.cursor.fetch_add(1)) {
-      run_back(frame.draws, frame.packets, frame.packet_count, frame.target, frame.grid,
+      run_back(frame.draws, frame.packets, frame.tile_work, frame.target, frame.grid,
                static_cast<int>(i), *frame.tiles[worker]);
     }
   }
@@ -215,6 +216,7 @@ struct Frame::Impl {
       cursor = 0;
       run_on_workers(&front_task, this);
     }
+    make_tile_work(packets, packet_count, grid, tile_work);
     cursor = 0;
     run_on_workers(&back_task, this);
   }

@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/exec/small.h"
+#include "pipeline/setup/triangles.h"
 
 namespace clearpipe::pipeline {
 
@@ -95,8 +97,9 @@ uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
 class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
-    packet.bins.reset(grid);
+    packet.bins.reset(grid, tile_numbers_);
     packet.primitives.clear();
+    packet.small.clear();
     for (const PacketRange& range : packet.ranges) {
       run_range(draws[range.draw], range, packet);
     }
@@ -133,7 +136,7 @@ class FrontWorker {
       corners =
           primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
       for (int k = 0; k < corners; ++k) {
-        corner_[3 * i + k] = local_vertex(element_index(draw, vertex[k]));
+        triangles_.corner[k][i] = local_vertex(element_index(draw, vertex[k]));
       }
     }
     const int stride = draw.setup.layout.stride;
@@ -149,21 +152,69 @@ class FrontWorker {
     job.records = records;
     run_vertex_stages(job);
 
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      const float* v[3] = {};
-      uint32_t any = 0, all = ~0u;
-      for (int k = 0; k < corners; ++k) {
-        v[k] = records + static_cast<size_t>(corner_[3 * i + k]) * stride;
-        uint32_t outcode;
-        std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
-        any |= outcode;
-        all &= outcode;
-      }
-      if (all != 0 && (all & ~uint32_t{kOutcodeGuard}) != 0) {
-        continue;  // outside one plane as a whole
-      }
-      emit(draw, range.draw, corners, v, any, packet);
+    draws_small_ = draws_small(draw);
+    if (corners == 3 && draws_small_) {
+      emit_triangles(draw, range, records, packet);
+      return;
     }
+    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+      emit_corners(draw, range.draw, corners, records, i, packet);
+    }
+  }
+
+  // Triangles that are settled many at once, and the others.
+  void emit_triangles(const DrawRecord& draw, const PacketRange& range, const float* records,
+                      Packet& packet) {
+    for (auto& corner : triangles_.corner) {
+      std::fill_n(corner.begin() + range.primitive_count, kTriangleLanes, 0);
+    }
+    TriangleJob job;
+    job.records = records;
+    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data();
+    job.count = range.primitive_count;
+    job.fate = triangles_.fate.data();
+    job.x = triangles_.x.data();
+    job.y = triangles_.y.data();
+    job.mask_low = triangles_.mask_low.data();
+    job.mask_high = triangles_.mask_high.data();
+    setup_triangles(draw.setup, job);
+    const int stride = draw.setup.layout.stride;
+    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+      const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
+      if (fate == TriangleFate::kNothing) continue;
+      if (fate == TriangleFate::kGeneral) {
+        emit_corners(draw, range.draw, 3, records, i, packet);
+        continue;
+      }
+      SmallPrimitive small;
+      for (int k = 0; k < 3; ++k) {
+        small.vertex[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * stride;
+      }
+      small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
+      small.x = static_cast<int16_t>(triangles_.x[i]);
+      small.y = static_cast<int16_t>(triangles_.y[i]);
+      small.draw = range.draw;
+      small.size = 0;
+      small.kind = PrimitiveKind::kTriangle;
+      small.back_facing = fate == TriangleFate::kSmallBack;
+      add_small(small, packet);
+    }
+  }
+
+  // Primitive i of the range, one by itself.
+  void emit_corners(const DrawRecord& draw, uint32_t draw_index, int corners, const float* records,
+                    uint32_t i, Packet& packet) {
+    const float* v[3] = {};
+    uint32_t any = 0, all = ~0u;
+    for (int k = 0; k < corners; ++k) {
+      v[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.setup.layout.stride;
+      uint32_t outcode;
+      std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
+      any |= outcode;
+      all &= outcode;
+    }
+    // Not if outside one plane as a whole.
+    if ((all & ~uint32_t{kOutcodeGuard}) == 0) emit(draw, draw_index, corners, v, any, packet);
   }
 
   void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
@@ -191,17 +242,29 @@ class FrontWorker {
     }
   }
 
-  static void add(bool visible, const PrimitiveRecord& record, Packet& packet) {
-    if (visible) {
+  void add(bool visible, const PrimitiveRecord& record, Packet& packet) const {
+    if (!visible) return;
+    if (draws_small_ && is_small(record)) {
+      SmallPrimitive small;
+      if (!make_small(record, small)) return;
+      add_small(small, packet);
+    } else {
       packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
       packet.primitives.push_back(record);
     }
   }
 
+  static void add_small(const SmallPrimitive& primitive, Packet& packet) {
+    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
+    packet.small.push_back(primitive);
+  }
+
   Arena arena_;
+  TileNumbers tile_numbers_;
   uint32_t element_count_ = 0;
+  bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   std::array<uint32_t, kPacketVertices> elements_;
-  std::array<uint16_t, kPacketVertices> corner_;
+  TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};

@@ -11,6 +11,7 @@
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
+#include "pipeline/fragment/small.h"
 
 namespace clearpipe::pipeline {
 
@@ -170,15 +171,18 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
   select_stages(state, coverage, target.srgb, *program);
   static const bool allowed = fused_allowed();
   const bool chain_only =
-      target.multisampled || target.srgb || target.format != ColourFormat::kRgba8 ||
-      (program->depth_test && target.depth_bits == 32) || program->antialiased ||
+      target.multisampled || target.srgb || (program->depth_test && target.depth_bits == 32) ||
+      program->antialiased ||
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
-    program->fused = select_fused(*program);
+    select_fused(*program);
+    program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   return program;
 }
+
+bool batches_small(const FragmentProgram& program) { return program.batches_small; }
 
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
