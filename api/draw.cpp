@@ -198,8 +198,26 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   if (!c.frame.draw(command)) c.set_error(kOutOfMemory);
 }
 
-// Rounds as the reference does, to even: 0.3 is 76, 0.9 is 230.
-uint32_t unorm8(float value) { return static_cast<uint32_t>(std::nearbyint(value * 255.0f)); }
+// A clear colour as the buffer keeps it. Rounds as the reference does, to even: 0.3 is 76, 0.9 is
+// 230.
+uint32_t clear_value(const pipeline::ColourBuffer& buffer, const Vec4& colour) {
+  const float component[4] = {colour.x, colour.y, colour.z, buffer.has_alpha ? colour.w : 1.0f};
+  uint32_t value = 0;
+  for (size_t c = 0; c < 4; ++c) {
+    value |= (buffer.srgb && c < 3 ? pipeline::linear_to_srgb(component[c])
+                                   : pipeline::round_component(buffer.format, c, component[c]))
+             << (8 * c);
+  }
+  return value;
+}
+
+// The same of depth. What fragments have of 32 bits is a product with 2^32 (depth_stencil-inl.h).
+uint32_t clear_value(const pipeline::DepthStencilBuffer& buffer, double depth) {
+  if (buffer.depth_bits == 32) {
+    return static_cast<uint32_t>(std::min(depth * 4294967296.0 + 0.5, 4294967295.0));
+  }
+  return static_cast<uint32_t>(depth * ((1 << buffer.depth_bits) - 1) + 0.5);
+}
 
 }  // namespace
 
@@ -256,7 +274,6 @@ void clear(Context& c, GLbitfield mask) {
     c.dirty &= ~static_cast<uint32_t>(kDirtyRaster);
   }
   const FramebufferState& fb = c.state.framebuffer;
-  const Vec4& colour = fb.clear_colour;
   pipeline::ClearCommand command;
   command.rect = c.raster_state.scissor;
   if (command.rect.x0 >= command.rect.x1 || command.rect.y0 >= command.rect.y1) return;
@@ -264,17 +281,14 @@ void clear(Context& c, GLbitfield mask) {
   command.colour = (mask & GL_COLOR_BUFFER_BIT) && c.draw.colour;
   command.depth = (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
   command.stencil = (mask & GL_STENCIL_BUFFER_BIT) && planes && planes->has_stencil;
-  const bool has_alpha = c.draw.colour && c.draw.colour->has_alpha;
-  const auto stored = c.draw.colour && c.draw.colour->srgb ? pipeline::linear_to_srgb : unorm8;
-  command.colour_value = stored(colour.x) | stored(colour.y) << 8 | stored(colour.z) << 16 |
-                         (has_alpha ? unorm8(colour.w) : 255u) << 24;
+  if (command.colour) command.colour_value = clear_value(*c.draw.colour, fb.clear_colour);
   command.colour_mask = 0;
   for (unsigned i = 0; i < 4; ++i) {
     if (fb.colour_mask[i]) {
       command.colour_mask = static_cast<uint8_t>(command.colour_mask | 1u << i);
     }
   }
-  command.depth_value = static_cast<uint32_t>(static_cast<double>(fb.clear_depth) * 0xffffff + 0.5);
+  if (planes) command.depth_value = clear_value(*planes, static_cast<double>(fb.clear_depth));
   command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;

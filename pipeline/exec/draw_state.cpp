@@ -55,9 +55,11 @@ ProgramHolder& CurrentState::program() {
     if (target_.depth_stencil) {
       to.has_depth = target_.depth_stencil->has_depth;
       to.has_stencil = target_.depth_stencil->has_stencil;
+      to.depth_bits = target_.depth_stencil->depth_bits;
     }
     to.multisampled = target_.samples() > 1;
     to.srgb = target_.colour && target_.colour->srgb;
+    if (target_.colour) to.format = target_.colour->format;
     const uint8_t mask = fragment_.colour_mask;
     if (target_.colour && !target_.colour->has_alpha) fragment_.colour_mask = mask & 0x7;
     if (!target_.colour) fragment_.colour_mask = 0;
@@ -128,6 +130,7 @@ const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   setup.point_fade_threshold = vertex_.point_fade_threshold;
   setup.inputs = fragment_inputs(*draw->program);
   setup.inputs.texture_units &= setup.layout.texture_units;
+  if (target_.depth_stencil) setup.depth_bits = target_.depth_stencil->depth_bits;
   setup.mirror_height = target_.mirrored ? target_.height : 0;
   setup.two_sided = setup.layout.back_colour_offset != 0;
   return draw;

@@ -208,6 +208,10 @@ bool Frame::clear(const ClearCommand& command) try {
       clear.stencil_value = 0;
     }
     if (clear.stencil && !planes->has_depth) clear.depth = true;
+    if (clear.depth && planes->depth_bits == 32) {  // its lower bits are where stencil would be
+      clear.stencil_value = static_cast<uint8_t>(clear.depth_value);
+      clear.depth_value >>= 8;
+    }
   }
   if (clear.rect.x0 >= clear.rect.x1 || clear.rect.y0 >= clear.rect.y1) {
     return true;

@@ -199,8 +199,9 @@ class SmallBatch {
     VecI any = hn::Zero(d);
     for (int i = 0; i < batch_.count; i += kLanes) {
       const auto live = hn::Ne(hn::PromoteTo(d, hn::Load(d16, batch_.live + i)), hn::Zero(d));
-      const VecI depth =
-          depth_state_.test ? to_depth_value(df, hn::Load(df, depth_ + i)) : hn::Zero(d);
+      const VecI depth = depth_state_.test
+                             ? to_depth_value(df, depth_state_, hn::Load(df, depth_ + i))
+                             : hn::Zero(d);
       VecI packed = hn::Load(d, stored + i);
       const auto passes = depth_stencil_test(d, stencil, depth_state_, live, depth, packed);
       const VecI lives = hn::VecFromMask(d, passes);

@@ -116,6 +116,26 @@ void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out)
   }
 }
 
+void write_pixels(ColourBuffer& buffer, int x, int y, int count, const uint32_t* from) {
+  if (!buffer.uniform) {
+    std::copy_n(from, count, buffer.pixels.get() + static_cast<size_t>(y) * buffer.width + x);
+    return;
+  }
+  for (int end = x + count; x < end;) {
+    const int part = std::min(kTileWidth - x % kTileWidth, end - x);
+    const size_t place = place_in_tiles(buffer.width, x, y);
+    const size_t tile = place / kTilePixels;
+    if (buffer.uniform->is_uniform[tile] != 0) {
+      std::fill_n(buffer.pixels.get() + tile * kTilePixels, kTilePixels,
+                  buffer.uniform->value[tile]);
+      buffer.uniform->is_uniform[tile] = 0;
+    }
+    std::copy_n(from, part, buffer.pixels.get() + place);
+    from += part;
+    x += part;
+  }
+}
+
 bool lay_out_in_rows(ColourBuffer& buffer) try {
   if (!buffer.uniform) return true;
   const size_t width = static_cast<size_t>(buffer.width);
