@@ -35,7 +35,8 @@ struct Frame::Impl {
 
   std::vector<FrontWorkerPtr> front_workers;
   std::vector<std::unique_ptr<SampleTiles>> tiles;
-  std::atomic<size_t> cursor{0};
+  std::atomic<size_t> next_packet{0}, next_tile{0};
+  std::atomic<uint32_t> packets_done{0};
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {
@@ -110,27 +111,39 @@ struct Frame::Impl {
     }
   }
 
-  static void front_task(void* context, int worker) {
-    Impl& frame = *static_cast<Impl*>(context);
-    for (size_t i = frame.cursor.fetch_add(1); i < frame.packet_count;
-         i = frame.cursor.fetch_add(1)) {
-      if (!frame.packets[i]->is_clear) {
-        run_front(*frame.front_workers[worker], frame.draws, frame.grid, *frame.packets[i]);
+  void run_packets(int worker) {
+    uint32_t done = 0;
+    for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
+      if (!packets[i]->is_clear) {
+        run_front(*front_workers[worker], draws, grid, *packets[i]);
       }
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(packet_count);
+    if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      packets_done.notify_all();
     }
   }
 
-  static void back_task(void* context, int worker) {
+  void wait_for_packets() { wait_until(packets_done, static_cast<uint32_t>(packet_count)); }
+
+  void run_tiles(int worker) {
+    const size_t count = static_cast<size_t>(grid.count());
+    for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
+      run_back(draws, packets, packet_count, state.target(), grid, static_cast<int>(i),
+               *tiles[worker]);
+    }
+  }
+
+  // Both phases, so that a worker wakes up once a frame.
+  static void task(void* context, int worker) {
     Impl& frame = *static_cast<Impl*>(context);
-    const size_t tiles = static_cast<size_t>(frame.grid.count());
-    for (size_t i = frame.cursor.fetch_add(1); i < tiles; i = frame.cursor.fetch_add(1)) {
-      run_back(frame.draws, frame.packets, frame.packet_count, frame.state.target(), frame.grid,
-               static_cast<int>(i), *frame.tiles[worker]);
-    }
+    frame.run_packets(worker);
+    frame.wait_for_packets();
+    frame.run_tiles(worker);
   }
 
-  void make_workers() {
-    const size_t count = static_cast<size_t>(worker_count());
+  void make_workers(size_t count) {
     while (front_workers.size() < count) {
       front_workers.push_back(make_front_worker());
     }
@@ -139,14 +152,33 @@ struct Frame::Impl {
     }
   }
 
-  void execute() {
-    make_workers();
-    if (!draws.empty()) {
-      cursor = 0;
-      run_on_workers(&front_task, this);
+  // Whether the tiles are less work than waking a thread to share it, from what the packets hold.
+  bool is_little() const {
+    // Nanoseconds, roughly.
+    constexpr int64_t kTile = 80, kPrimitive = 150, kPixel = 8, kWakeUp = 60000;
+    int64_t work = kTile * grid.count();
+    for (size_t i = 0; i < packet_count && work < kWakeUp; ++i) {
+      if (packets[i]->is_clear) continue;
+      for (const PrimitiveRecord& p : packets[i]->primitives) {
+        work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
+      }
     }
-    cursor = 0;
-    run_on_workers(&back_task, this);
+    return work < kWakeUp;
+  }
+
+  void execute() {
+    next_packet = next_tile = 0;
+    packets_done = 0;
+    make_workers(1);
+    // A packet is built by one worker anyway.
+    const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
+    const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
+    if (std::count_if(packets.begin(), end, is_draw) <= 1) {
+      run_packets(0);
+      if (is_little()) return run_tiles(0);
+    }
+    make_workers(static_cast<size_t>(worker_count()));
+    run_on_workers(&task, this);
   }
 };
 
