@@ -13,10 +13,12 @@ TileGrid make_tile_grid(int width, int height) {
   return {(width + kTileWidth - 1) / kTileWidth, (height + kTileHeight - 1) / kTileHeight};
 }
 
-void Bins::reset(const TileGrid& grid) {
+void Bins::reset(const TileGrid& grid, TileNumbers& numbers) {
   grid_ = grid;
+  numbers_ = &numbers;
+  numbers.reset(grid);
   entries_.clear();
-  start_.assign(static_cast<size_t>(grid.count()) + 1, 0);
+  lists_.clear();
 }
 
 void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
@@ -31,25 +33,38 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
       if (test && misses_tile(primitive, column * kTileWidth, row * kTileHeight)) {
         continue;
       }
-      const uint32_t tile = static_cast<uint32_t>(row * grid_.columns + column);
-      entries_.push_back({tile, index});
-      ++start_[tile + 1];
+      note(column, row, index);
+    }
+  }
+}
+
+// Where its pixels are is known exactly, and none is outside of the surface.
+void Bins::add_across(const SmallPrimitive& primitive, uint32_t index) {
+  constexpr int kReach = kSmallSide - 1;
+  const int first_column = primitive.x / kTileWidth, first_row = primitive.y / kTileHeight;
+  const int last_column = (primitive.x + kReach) / kTileWidth;
+  const int last_row = (primitive.y + kReach) / kTileHeight;
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
+      const SmallCoverage coverage = small_coverage(primitive.mask, primitive.x, primitive.y,
+                                                    column * kTileWidth, row * kTileHeight);
+      if (coverage.mask != 0) note(column, row, index);
     }
   }
 }
 
 void Bins::close() {
-  for (size_t i = 1; i < start_.size(); ++i) {
-    start_[i] += start_[i - 1];
+  uint32_t first = 0;
+  for (List& list : lists_) {
+    list.first = first;
+    first += list.count;
   }
   sorted_.resize(entries_.size());
-  // Each entry goes to its tile's next place; afterwards every start has moved to its end, which is
-  // the next tile's start: shift them back by one.
+  // Each entry goes to its list's next place; afterwards every `first` has moved to the end.
   for (const Entry& entry : entries_) {
-    sorted_[start_[entry.tile]++] = entry.primitive;
+    sorted_[lists_[entry.list].first++] = entry.primitive;
   }
-  std::move_backward(start_.begin(), start_.end() - 1, start_.end());
-  start_[0] = 0;
+  for (List& list : lists_) list.first -= list.count;
 }
 
 }  // namespace clearpipe::pipeline

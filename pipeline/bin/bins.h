@@ -1,8 +1,9 @@
-// Which primitives touch which tile: a packet's lists, one per tile, in submission order.
+// Which primitives touch which tile: a packet's lists, one per tile it touches, in submission
+// order.
 //
 // A packet is built by one worker, so its lists need no lock; the order of packets is the order of
 // submission, so walking the packets in order gives a tile its primitives in order, whoever built
-// them.
+// them. The cost of a packet follows its primitives, not the tiles of the surface.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "pipeline/setup/primitive.h"
+#include "pipeline/setup/small.h"
 
 namespace clearpipe::pipeline {
 
@@ -21,31 +23,87 @@ struct TileGrid {
 
 TileGrid make_tile_grid(int width, int height);
 
-class Bins {
+// The number of a packet's list by tile, while the packet is built; used for one packet after
+// another.
+class TileNumbers {
  public:
-  // Starts empty lists for every tile of the grid.
-  void reset(const TileGrid& grid);
+  // Forgets the lists of the last packet.
+  void reset(const TileGrid& grid) {
+    const size_t count = static_cast<size_t>(grid.count());
+    if (entries_.size() < count || ++generation_ == 0) {
+      entries_.assign(count, Entry());
+      generation_ = 1;
+    }
+  }
 
-  // Notes `index`, the number of `primitive` in its packet, in every tile it may touch.
-  void add(const PrimitiveRecord& primitive, uint32_t index);
-
-  // Sorts what was noted by tile; add() must not follow.
-  void close();
-
-  // The primitives that touch a tile.
-  std::span<const uint32_t> tile(int index) const {
-    return {sorted_.data() + start_[index], sorted_.data() + start_[index + 1]};
+  // The number noted for a tile, which is `fresh` from now on if there is none.
+  uint32_t find(uint32_t tile, uint32_t fresh) {
+    Entry& entry = entries_[tile];
+    if (entry.generation != generation_) entry = {generation_, fresh};
+    return entry.number;
   }
 
  private:
   struct Entry {
-    uint32_t tile;
+    uint32_t generation = 0, number = 0;
+  };
+
+  std::vector<Entry> entries_;
+  uint32_t generation_ = 0;
+};
+
+class Bins {
+ public:
+  // A tile and its part of the primitives.
+  struct List {
+    uint32_t tile, first, count;
+  };
+
+  // Starts without lists. `numbers` is used until close().
+  void reset(const TileGrid& grid, TileNumbers& numbers);
+
+  // Notes `index`, the number of `primitive` in its packet, in every tile it may touch.
+  void add(const PrimitiveRecord& primitive, uint32_t index);
+  void add(const SmallPrimitive& primitive, uint32_t index) {
+    constexpr int kReach = kSmallSide - 1;
+    const int column = primitive.x / kTileWidth, row = primitive.y / kTileHeight;
+    if ((primitive.x + kReach) / kTileWidth == column &&
+        (primitive.y + kReach) / kTileHeight == row) {
+      note(column, row, index);
+    } else {
+      add_across(primitive, index);
+    }
+  }
+
+  // Sorts what was noted by tile; add() must not follow.
+  void close();
+
+  // The tiles that are touched, in no particular order, and the primitives that touch one.
+  std::span<const List> lists() const { return lists_; }
+  std::span<const uint32_t> primitives(const List& list) const {
+    return {sorted_.data() + list.first, list.count};
+  }
+
+ private:
+  struct Entry {
+    uint32_t list;
     uint32_t primitive;
   };
 
+  void add_across(const SmallPrimitive& primitive, uint32_t index);
+
+  void note(int column, int row, uint32_t index) {
+    const uint32_t tile = static_cast<uint32_t>(row * grid_.columns + column);
+    const uint32_t list = numbers_->find(tile, static_cast<uint32_t>(lists_.size()));
+    if (list == lists_.size()) lists_.push_back({tile, 0, 0});
+    entries_.push_back({list, index});
+    ++lists_[list].count;
+  }
+
   TileGrid grid_;
-  std::vector<Entry> entries_;   // in submission order
-  std::vector<uint32_t> start_;  // per tile, its first place in sorted_; one more at the end
+  TileNumbers* numbers_ = nullptr;
+  std::vector<Entry> entries_;  // in submission order
+  std::vector<List> lists_;
   std::vector<uint32_t> sorted_;
 };
 

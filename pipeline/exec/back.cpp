@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/exec/small.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
 
@@ -54,25 +55,63 @@ bool is_whole(const Coverage& coverage) {
                      [](uint64_t row) { return row == ~uint64_t{0}; });
 }
 
-// The last packet that leaves nothing visible of what came before it.
-size_t first_visible(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
-                     const Target& target, const Tile& tile) {
-  for (size_t i = packet_count; i-- > 0;) {
-    if (!packets[i]->is_clear) continue;
-    const ClearCommand& clear = packets[i]->clear;
-    if (covers_tile(clear, target, tile) &&
-        (!target.colour || colour_clear_mask(clear) == 0xffffffffu) &&
-        (!target.depth_stencil || depth_stencil_clear_mask(clear) == 0xffffffffu)) {
-      return i;
-    }
+// Whether a clear leaves nothing visible of what came before it.
+bool hides_all(const ClearCommand& clear, const Target& target, const Tile& tile) {
+  return covers_tile(clear, target, tile) &&
+         (!target.colour || colour_clear_mask(clear) == 0xffffffffu) &&
+         (!target.depth_stencil || depth_stencil_clear_mask(clear) == 0xffffffffu);
+}
+
+// A primitive that is not small: its coverage, its planes, its pixels.
+void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord& primitive,
+                     TilePlanes& planes, SampleTiles& tiles) {
+  const int samples = planes.samples();
+  Coverage coverage[kSampleCount];
+  if (!cover(primitive, planes, coverage)) return;
+  const DrawState& draw = *draws[primitive.draw].state;
+  planes.prepare(draw.outputs,
+                 draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
+  PrimitivePlanes attributes;
+  make_planes(draw.setup, primitive, attributes);
+  if (samples > 1) {
+    shade_samples(*draw.program, attributes, coverage, tiles.tiles.data());
+  } else {
+    shade(*draw.program, attributes, coverage[0], tiles.tiles[0]);
   }
-  return 0;
+}
+
+// The primitives of a packet that touch the tile; neighbours that are small and of one state
+// together.
+void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
+                  std::span<const uint32_t> entries, TilePlanes& planes, SampleTiles& tiles) {
+  for (size_t at = 0; at < entries.size();) {
+    const uint32_t index = entries[at];
+    if ((index & kSmallEntry) == 0) {
+      shade_primitive(draws, packet.primitives[index], planes, tiles);
+      ++at;
+      continue;
+    }
+    const DrawState& draw = *draws[packet.small[index & ~kSmallEntry].draw].state;
+    planes.prepare(draw.outputs, false);
+    at += shade_small(draws, draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
+  }
 }
 
 }  // namespace
 
+void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
+                    const TileGrid& grid, TileWork& work) {
+  work.clears.clear();
+  for (size_t i = 0; i < packet_count; ++i) {
+    if (packets[i]->is_clear) work.clears.push_back(static_cast<uint32_t>(i));
+  }
+  work.lists.build(grid, packet_count, [&](size_t i) -> const Bins* {
+    return packets[i]->is_clear ? nullptr : &packets[i]->bins;
+  });
+}
+
 void run_back(const std::vector<DrawRecord>& draws,
-              const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
+              const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
               const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles) {
   for (Tile& tile : tiles.tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;
@@ -80,31 +119,30 @@ void run_back(const std::vector<DrawRecord>& draws,
     tile.mirror_height = target.mirrored ? target.height : 0;
   }
   TilePlanes planes(target, tiles, tile_index);
-  const int samples = planes.samples();
-  Coverage coverage[kSampleCount];
-  for (size_t i = first_visible(packets, packet_count, target, planes.tile()); i < packet_count;
-       ++i) {
-    const Packet& packet = *packets[i];
-    if (packet.is_clear) {
-      clear_planes(packet.clear, target, planes);
+  // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
+  // what came before it.
+  const std::span<const TileLists::Reference> lists = work.lists.tile(tile_index);
+  size_t clear = 0, next = 0;
+  for (size_t i = work.clears.size(); i-- > 0;) {
+    if (!hides_all(packets[work.clears[i]]->clear, target, planes.tile())) continue;
+    clear = i;
+    next = static_cast<size_t>(std::find_if(lists.begin(), lists.end(),
+                                            [&](const TileLists::Reference& list) {
+                                              return list.packet > work.clears[i];
+                                            }) -
+                               lists.begin());
+    break;
+  }
+  while (next < lists.size() || clear < work.clears.size()) {
+    if (clear < work.clears.size() &&
+        (next == lists.size() || work.clears[clear] < lists[next].packet)) {
+      clear_planes(packets[work.clears[clear++]]->clear, target, planes);
       continue;
     }
-    for (const uint32_t index : packet.bins.tile(tile_index)) {
-      const PrimitiveRecord& primitive = packet.primitives[index];
-      if (!cover(primitive, planes, coverage)) {
-        continue;
-      }
-      const DrawState& draw = *draws[primitive.draw].state;
-      planes.prepare(draw.outputs,
-                     draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
-      PrimitivePlanes attributes;
-      make_planes(draw.setup, primitive, attributes);
-      if (samples > 1) {
-        shade_samples(*draw.program, attributes, coverage, tiles.tiles.data());
-      } else {
-        shade(*draw.program, attributes, coverage[0], tiles.tiles[0]);
-      }
-    }
+    const Packet& packet = *packets[lists[next].packet];
+    const Bins::List& list = packet.bins.lists()[lists[next].list];
+    shade_packet(draws, packet, packet.bins.primitives(list), planes, tiles);
+    ++next;
   }
   planes.store();
 }

@@ -33,10 +33,12 @@ struct Frame::Impl {
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
+  TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
   std::vector<std::unique_ptr<SampleTiles>> tiles;
   std::atomic<size_t> next_packet{0}, next_tile{0};
-  std::atomic<uint32_t> packets_done{0};
+  std::atomic<uint32_t> packets_done{0}, tiles_ready{0};
+  std::atomic<bool> failed{false};
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {
@@ -111,26 +113,35 @@ struct Frame::Impl {
     }
   }
 
+  // Without memory the frame fails as a whole, when nobody works on it any more.
+  template <typename Work>
+  void unless_failed(const Work& work) try {
+    if (!failed.load(std::memory_order_relaxed)) work();
+  } catch (const std::bad_alloc&) {
+    failed = true;
+  }
+
   void run_packets(int worker) {
     uint32_t done = 0;
     for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
       if (!packets[i]->is_clear) {
-        run_front(*front_workers[worker], draws, grid, *packets[i]);
+        unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
       }
       ++done;
     }
     const uint32_t total = static_cast<uint32_t>(packet_count);
     if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
-      packets_done.notify_all();
+      unless_failed([&] { make_tile_work(packets, packet_count, grid, tile_work); });
+      tiles_ready.store(1, std::memory_order_release);
+      tiles_ready.notify_all();
     }
   }
 
-  void wait_for_packets() { wait_until(packets_done, static_cast<uint32_t>(packet_count)); }
-
   void run_tiles(int worker) {
+    if (failed) return;
     const size_t count = static_cast<size_t>(grid.count());
     for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
-      run_back(draws, packets, packet_count, state.target(), grid, static_cast<int>(i),
+      run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
                *tiles[worker]);
     }
   }
@@ -139,7 +150,7 @@ struct Frame::Impl {
   static void task(void* context, int worker) {
     Impl& frame = *static_cast<Impl*>(context);
     frame.run_packets(worker);
-    frame.wait_for_packets();
+    wait_until(frame.tiles_ready, 1);
     frame.run_tiles(worker);
   }
 
@@ -159,6 +170,7 @@ struct Frame::Impl {
     int64_t work = kTile * grid.count();
     for (size_t i = 0; i < packet_count && work < kWakeUp; ++i) {
       if (packets[i]->is_clear) continue;
+      work += kPrimitive * static_cast<int64_t>(packets[i]->small.size());
       for (const PrimitiveRecord& p : packets[i]->primitives) {
         work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
       }
@@ -168,17 +180,26 @@ struct Frame::Impl {
 
   void execute() {
     next_packet = next_tile = 0;
-    packets_done = 0;
+    packets_done = tiles_ready = 0;
+    failed = false;
     make_workers(1);
     // A packet is built by one worker anyway.
     const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
     const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
     if (std::count_if(packets.begin(), end, is_draw) <= 1) {
       run_packets(0);
-      if (is_little()) return run_tiles(0);
+      if (is_little()) {
+        run_tiles(0);
+        return check();
+      }
     }
     make_workers(static_cast<size_t>(worker_count()));
     run_on_workers(&task, this);
+    check();
+  }
+
+  void check() const {
+    if (failed) throw std::bad_alloc();
   }
 };
 

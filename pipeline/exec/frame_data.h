@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "pipeline/bin/bins.h"
+#include "pipeline/bin/tile_lists.h"
 #include "pipeline/clip/clip.h"
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
+#include "pipeline/setup/small.h"
 #include "pipeline/surface.h"
 
 namespace clearpipe::pipeline {
@@ -54,6 +56,9 @@ struct PacketRange {
   uint32_t first_primitive = 0, primitive_count = 0;
 };
 
+// Set in the entries of bins that number a small primitive.
+inline constexpr uint32_t kSmallEntry = 0x80000000u;
+
 struct Packet {
   // Filled while recording.
   std::vector<PacketRange> ranges;
@@ -63,6 +68,7 @@ struct Packet {
 
   // Filled by the front phase.
   std::vector<PrimitiveRecord> primitives;
+  std::vector<SmallPrimitive> small;
   Bins bins;
 
   void reset() {
@@ -70,6 +76,7 @@ struct Packet {
     primitive_count = 0;
     is_clear = false;
     primitives.clear();
+    small.clear();
   }
 };
 
@@ -90,9 +97,17 @@ void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const 
                Packet& packet);
 void reset_front_worker(FrontWorker& worker);
 
+// What the tiles have to do, made when the front phase of all packets is done.
+struct TileWork {
+  std::vector<uint32_t> clears;  // the packets that are clears
+  TileLists lists;
+};
+void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
+                    const TileGrid& grid, TileWork& work);
+
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
-              const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
+              const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
               const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles);
 
 }  // namespace clearpipe::pipeline

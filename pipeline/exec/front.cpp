@@ -6,6 +6,8 @@
 #include <span>
 
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/exec/small.h"
+#include "pipeline/setup/triangles.h"
 
 namespace clearpipe::pipeline {
 
@@ -113,8 +115,9 @@ bool share_job(const DrawRecord& a, const DrawRecord& b) {
 class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
-    packet.bins.reset(grid);
+    packet.bins.reset(grid, tile_numbers_);
     packet.primitives.clear();
+    packet.small.clear();
     const std::vector<PacketRange>& ranges = packet.ranges;
     for (size_t first = 0; first < ranges.size();) {
       const DrawRecord& draw = draws[ranges[first].draw];
@@ -148,33 +151,27 @@ class FrontWorker {
 
   // Lists the elements of a range, and of each corner of its primitives which of them it is.
   void list_elements(const DrawRecord& draw, const PacketRange& range) {
-    uint16_t* corner = corner_.data() + corner_count_;
-    const uint32_t first = range.first_primitive;
-    if (draw.index_type == IndexType::kNone && corners_of(draw.primitive) != 0) {
-      // Each vertex belongs to one primitive.
-      const uint32_t corners = corners_of(draw.primitive) * range.primitive_count;
-      const uint32_t element = element_index(draw, corners_of(draw.primitive) * first);
-      for (uint32_t i = 0; i < corners; ++i) {
-        elements_[element_count_] = element + i;
-        corner[i] = static_cast<uint16_t>(element_count_++);
-      }
-      corner_count_ += corners;
-      return;
-    }
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+    for (uint32_t i = 0; i < range.primitive_count; ++i, ++primitive_count_) {
       uint32_t vertex[3] = {};
-      const int corners = primitive_vertices(draw.primitive, first + i, draw.count, vertex);
-      for (int k = 0; k < corners; ++k) *corner++ = local_vertex(element_index(draw, vertex[k]));
+      const int corners =
+          primitive_vertices(draw.primitive, range.first_primitive + i, draw.count, vertex);
+      // Lines and points may lie in the lanes behind the last triangle: no corner is left open.
+      for (int k = 0; k < 3; ++k) {
+        triangles_.corner[k][primitive_count_] =
+            k < corners ? local_vertex(element_index(draw, vertex[k])) : 0;
+      }
     }
-    corner_count_ = static_cast<uint32_t>(corner - corner_.data());
   }
 
   // Ranges of draws whose vertices come out of one job.
   void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
                   Packet& packet) {
     ++generation_;
-    element_count_ = corner_count_ = 0;
+    element_count_ = primitive_count_ = 0;
     for (const PacketRange& range : ranges) list_elements(draws[range.draw], range);
+    for (auto& corner : triangles_.corner) {
+      std::fill_n(corner.begin() + primitive_count_, kTriangleLanes, 0);
+    }
     const DrawRecord& draw = draws[ranges[0].draw];
     const ClipState& clip = draw.state->clip;
     const int stride = clip.layout.stride;
@@ -189,34 +186,78 @@ class FrontWorker {
     job.count = element_count_;
     job.records = records;
     run_vertex_stages(job);
-    const uint16_t* corner = corner_.data();
+    uint32_t first = 0;  // of a range's primitives in triangles_
     for (const PacketRange& range : ranges) {
-      corner = emit_range(draws[range.draw], range, records, corner, packet);
+      emit_range(draws[range.draw], range, records, first, packet);
+      first += range.primitive_count;
     }
   }
 
-  // Primitives from the records of their vertices; returns the corners that follow.
-  const uint16_t* emit_range(const DrawRecord& draw, const PacketRange& range, float* records,
-                             const uint16_t* corner, Packet& packet) {
+  // Primitives from the records of their vertices.
+  void emit_range(const DrawRecord& draw, const PacketRange& range, const float* records,
+                  uint32_t first, Packet& packet) {
     uint32_t unused[3];
     const int corners = primitive_vertices(draw.primitive, 0, draw.count, unused);
-    const int stride = draw.state->clip.layout.stride;
-    for (uint32_t i = 0; i < range.primitive_count; ++i, corner += corners) {
-      const float* v[3] = {};
-      uint32_t any = 0, all = ~0u;
-      for (int k = 0; k < corners; ++k) {
-        v[k] = records + static_cast<size_t>(corner[k]) * stride;
-        uint32_t outcode;
-        std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
-        any |= outcode;
-        all &= outcode;
-      }
-      if (all != 0 && (all & ~uint32_t{kOutcodeGuard}) != 0) {
-        continue;  // outside one plane as a whole
-      }
-      emit(*draw.state, range.draw, corners, v, any, packet);
+    draws_small_ = draws_small(*draw.state);
+    if (corners == 3 && draws_small_) {
+      emit_triangles(*draw.state, range, records, first, packet);
+      return;
     }
-    return corner;
+    for (uint32_t i = first; i < first + range.primitive_count; ++i) {
+      emit_corners(*draw.state, range.draw, corners, records, i, packet);
+    }
+  }
+
+  // Triangles that are settled many at once, and the others.
+  void emit_triangles(const DrawState& draw, const PacketRange& range, const float* records,
+                      uint32_t first, Packet& packet) {
+    TriangleJob job;
+    job.records = records;
+    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data() + first;
+    job.count = range.primitive_count;
+    job.fate = triangles_.fate.data();
+    job.x = triangles_.x.data();
+    job.y = triangles_.y.data();
+    job.mask_low = triangles_.mask_low.data();
+    job.mask_high = triangles_.mask_high.data();
+    setup_triangles(draw.setup, job);
+    const int stride = draw.setup.layout.stride;
+    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+      const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
+      if (fate == TriangleFate::kNothing) continue;
+      if (fate == TriangleFate::kGeneral) {
+        emit_corners(draw, range.draw, 3, records, first + i, packet);
+        continue;
+      }
+      SmallPrimitive small;
+      for (int k = 0; k < 3; ++k) {
+        small.vertex[k] = records + static_cast<ptrdiff_t>(job.corner[k][i]) * stride;
+      }
+      small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
+      small.x = static_cast<int16_t>(triangles_.x[i]);
+      small.y = static_cast<int16_t>(triangles_.y[i]);
+      small.draw = range.draw;
+      small.size = 0;
+      small.kind = PrimitiveKind::kTriangle;
+      small.back_facing = fate == TriangleFate::kSmallBack;
+      add_small(small, packet);
+    }
+  }
+
+  // Primitive i of triangles_, one by itself.
+  void emit_corners(const DrawState& draw, uint32_t draw_index, int corners, const float* records,
+                    uint32_t i, Packet& packet) {
+    const float* v[3] = {};
+    uint32_t any = 0, all = ~0u;
+    for (int k = 0; k < corners; ++k) {
+      v[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.setup.layout.stride;
+      uint32_t outcode;
+      std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
+      any |= outcode;
+      all &= outcode;
+    }
+    // Not if outside one plane as a whole.
+    if ((all & ~uint32_t{kOutcodeGuard}) == 0) emit(draw, draw_index, corners, v, any, packet);
   }
 
   void emit(const DrawState& draw, uint32_t draw_index, int corners, const float* v[3],
@@ -244,17 +285,29 @@ class FrontWorker {
     }
   }
 
-  static void add(bool visible, const PrimitiveRecord& record, Packet& packet) {
-    if (visible) {
+  void add(bool visible, const PrimitiveRecord& record, Packet& packet) const {
+    if (!visible) return;
+    if (draws_small_ && is_small(record)) {
+      SmallPrimitive small;
+      if (!make_small(record, small)) return;
+      add_small(small, packet);
+    } else {
       packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
       packet.primitives.push_back(record);
     }
   }
 
+  static void add_small(const SmallPrimitive& primitive, Packet& packet) {
+    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
+    packet.small.push_back(primitive);
+  }
+
   Arena arena_;
-  uint32_t element_count_ = 0, corner_count_ = 0;
+  TileNumbers tile_numbers_;
+  uint32_t element_count_ = 0, primitive_count_ = 0;
+  bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   std::array<uint32_t, kPacketVertices> elements_;
-  std::array<uint16_t, kPacketVertices> corner_;
+  TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};

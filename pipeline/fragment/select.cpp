@@ -12,6 +12,7 @@
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
+#include "pipeline/fragment/small.h"
 
 namespace clearpipe::pipeline {
 
@@ -180,9 +181,12 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
-    program->fused = select_fused(*program);
+    select_fused(*program);
+    program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
 }
+
+bool batches_small(const FragmentProgram& program) { return program.batches_small; }
 
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 

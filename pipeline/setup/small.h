@@ -1,0 +1,67 @@
+// Small primitives: those whose pixels lie in a square of 8x8, which then are one 64-bit mask.
+//
+// A mesh is made of them, and what a tile does for each primitive - edge functions, planes, a loop
+// over rows - costs more than their pixels. So their coverage is found before they are binned (what
+// covers nothing goes no further), and a tile shades the pixels of many of them at once
+// (fragment/small-inl.h). Only of primitives that are covered by centres (3.5.1), not by samples.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/raster/tile.h"
+#include "pipeline/setup/primitive.h"
+
+namespace clearpipe::pipeline {
+
+inline constexpr int kSmallSide = 8;
+
+struct SmallPrimitive {
+  const float* vertex[3];  // vertex records; points use one, lines two
+  uint64_t mask;           // bit 8 * j + i: pixel (x + i, y + j) is covered
+  int16_t x, y;
+  uint32_t draw;  // index of the draw in the frame
+  float size;     // as in PrimitiveRecord
+  PrimitiveKind kind;
+  bool back_facing;
+};
+
+// The pixels of a small primitive that lie in a tile: bit 8 * j + i is pixel (column + i, row + j)
+// of the tile. All bits that are set are inside the tile. The square must touch the tile.
+struct SmallCoverage {
+  uint64_t mask;
+  int column, row;
+};
+
+inline SmallCoverage small_coverage(uint64_t mask, int x, int y, int tile_x, int tile_y) {
+  constexpr uint64_t kEachRow = 0x0101010101010101u;
+  int column = x - tile_x, row = y - tile_y;
+  if (column < 0) {
+    mask = mask >> -column & kEachRow * (0xffu >> -column);
+    column = 0;
+  } else if (column > kTileWidth - kSmallSide) {
+    mask &= kEachRow * (0xffu >> (column - (kTileWidth - kSmallSide)));
+  }
+  if (row < 0) {
+    mask >>= kSmallSide * -row;
+    row = 0;
+  } else if (row > kTileHeight - kSmallSide) {
+    mask &= ~uint64_t{0} >> (kSmallSide * (row - (kTileHeight - kSmallSide)));
+  }
+  return {mask, column, row};
+}
+
+// Whether the box of a primitive after setup is small enough.
+inline bool is_small(const PrimitiveRecord& primitive) {
+  return primitive.x1 - primitive.x0 <= kSmallSide && primitive.y1 - primitive.y0 <= kSmallSide;
+}
+
+// Makes a small primitive of one whose box is small and whose pixels are decided by their centres;
+// false when it covers none.
+bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out);
+
+// The planes of a small primitive as make_planes (primitive.h) has them.
+void make_small_planes(const SetupState& state, const SmallPrimitive& primitive,
+                       PrimitivePlanes& out);
+
+}  // namespace clearpipe::pipeline

@@ -1,0 +1,134 @@
+// The attribute planes of small triangles: make_planes (planes.cpp) with the four components of an
+// attribute in a vector. The arithmetic is the same, operation by operation.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_SETUP_SMALL_PLANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_SETUP_SMALL_PLANES_INL_H_
+#undef CLEARPIPE_SETUP_SMALL_PLANES_INL_H_
+#else
+#define CLEARPIPE_SETUP_SMALL_PLANES_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "pipeline/setup/small.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::setup::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+#if HWY_TARGET != HWY_SCALAR
+
+using Tag4 = hn::FixedTag<float, 4>;
+using Vec4f = hn::Vec<Tag4>;
+
+// Four planes at once.
+struct Planes4 {
+  Vec4f value, dx, dy;
+};
+
+// The gradients of equation 3.6, as in planes.cpp.
+struct TriangleBasis {
+  float x1 = 0, x2 = 0, y1 = 0, y2 = 0;
+
+  HWY_INLINE TriangleBasis(float mirror_height, const float* w0, const float* w1, const float* w2) {
+    const auto up = [mirror_height](const float* w) {
+      return mirror_height > 0 ? mirror_height - w[1] : w[1];
+    };
+    const float x10 = w1[0] - w0[0], x20 = w2[0] - w0[0];
+    const float y0 = up(w0);
+    const float y10 = up(w1) - y0, y20 = up(w2) - y0;
+    const float area = x10 * y20 - x20 * y10;
+    if (area == 0) return;
+    const float inverse = 1.0f / area;
+    x1 = y20 * inverse;
+    x2 = -y10 * inverse;
+    y1 = -x20 * inverse;
+    y2 = x10 * inverse;
+  }
+
+  HWY_INLINE Planes4 planes(Vec4f a0, Vec4f a1, Vec4f a2) const {
+    const Tag4 d;
+    const Vec4f d1 = hn::Sub(a1, a0), d2 = hn::Sub(a2, a0);
+    return {a0, hn::Add(hn::Mul(d1, hn::Set(d, x1)), hn::Mul(d2, hn::Set(d, x2))),
+            hn::Add(hn::Mul(d1, hn::Set(d, y1)), hn::Mul(d2, hn::Set(d, y2)))};
+  }
+};
+
+HWY_INLINE void store_planes(const Planes4& planes, Plane* out) {
+  static_assert(sizeof(Plane) == 3 * sizeof(float));
+  hn::StoreInterleaved3(planes.value, planes.dx, planes.dy, Tag4(), &out->value);
+}
+
+HWY_INLINE void make_triangle_planes(const SetupState& state, const SmallPrimitive& p,
+                                     PrimitivePlanes& out) {
+  const Tag4 d;
+  const float *v0 = p.vertex[0], *v1 = p.vertex[1], *v2 = p.vertex[2];
+  const float* w0 = v0 + vertex_record::kWindow;
+  const float* w1 = v1 + vertex_record::kWindow;
+  const float* w2 = v2 + vertex_record::kWindow;
+  const float mirror_height = static_cast<float>(state.mirror_height);
+  const TriangleBasis basis(mirror_height, w0, w1, w2);
+  out.x_ref = w0[0];
+  out.y_ref = mirror_height > 0 ? mirror_height - w0[1] : w0[1];
+  out.perspective = w0[3] != w1[3] || w0[3] != w2[3];
+  {
+    const Planes4 window = basis.planes(hn::LoadU(d, w0), hn::LoadU(d, w1), hn::LoadU(d, w2));
+    Plane planes[4];
+    store_planes(window, planes);
+    out.depth = planes[2];
+    out.inv_w = planes[3];
+  }
+  Vec4f s0 = hn::Set(d, 1.0f), s1 = s0, s2 = s0;
+  if (out.perspective) {
+    s0 = hn::Set(d, w0[3]);
+    s1 = hn::Set(d, w1[3]);
+    s2 = hn::Set(d, w2[3]);
+  }
+  const auto varying = [&](Vec4f a0, Vec4f a1, Vec4f a2) HWY_ATTR {
+    return basis.planes(hn::Mul(a0, s0), hn::Mul(a1, s1), hn::Mul(a2, s2));
+  };
+  const auto varying_at = [&](int offset) HWY_ATTR {
+    return varying(hn::LoadU(d, v0 + offset), hn::LoadU(d, v1 + offset), hn::LoadU(d, v2 + offset));
+  };
+  if (state.inputs.colour) {
+    const int offset =
+        p.back_facing && state.two_sided ? state.layout.back_colour_offset : vertex_record::kColour;
+    const Vec4f a0 = hn::LoadU(d, v0 + offset), a1 = hn::LoadU(d, v1 + offset);
+    const Vec4f a2 = hn::LoadU(d, v2 + offset);
+    out.flat_colour =
+        state.raster.flat_shade || hn::AllTrue(d, hn::And(hn::Eq(a0, a1), hn::Eq(a0, a2)));
+    Planes4 colour = out.flat_colour ? Planes4{a2, hn::Zero(d), hn::Zero(d)} : varying(a0, a1, a2);
+    const Vec4f one = hn::Set(d, float{kColourOne});
+    colour = {hn::Mul(colour.value, one), hn::Mul(colour.dx, one), hn::Mul(colour.dy, one)};
+    store_planes(colour, out.colour);
+  }
+  if (state.inputs.fog) {
+    Plane planes[4];
+    store_planes(varying_at(vertex_record::kOutcode), planes);
+    static_assert(vertex_record::kFog == vertex_record::kOutcode + 2);
+    out.fog = planes[2];
+  }
+  for (int unit = 0; state.inputs.texture_units >> unit != 0; ++unit) {
+    if ((state.inputs.texture_units >> unit & 1) == 0) continue;
+    store_planes(varying_at(state.layout.texture_offset[unit]), out.texture[unit]);
+  }
+}
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+// As make_planes does it for primitives of other kinds.
+HWY_INLINE void small_planes(const SetupState& state, const SmallPrimitive& p,
+                             PrimitivePlanes& out) {
+#if HWY_TARGET != HWY_SCALAR
+  if (p.kind == PrimitiveKind::kTriangle && !state.raster.offset_fill) {
+    make_triangle_planes(state, p, out);
+    return;
+  }
+#endif
+  make_small_planes(state, p, out);
+}
+
+}  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
