@@ -46,7 +46,7 @@ struct Frame::Impl {
 
   TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<SampleTiles>> tiles;
+  std::vector<std::unique_ptr<BackWorker>> back_workers;
   std::atomic<size_t> cursor{0};
 
   Packet& add_packet() {
@@ -193,7 +193,7 @@ struct Frame::Impl {
     const size_t tiles = static_cast<size_t>(frame.grid.count());
     for (size_t i = frame.cursor.fetch_add(1); i < tiles; i = frame.cursor.fetch_add(1)) {
       run_back(frame.draws, frame.packets, frame.tile_work, frame.target, frame.grid,
-               static_cast<int>(i), *frame.tiles[worker]);
+               static_cast<int>(i), *frame.back_workers[worker]);
     }
   }
 
@@ -202,8 +202,8 @@ struct Frame::Impl {
     while (front_workers.size() < count) {
       front_workers.push_back(make_front_worker());
     }
-    while (tiles.size() < count) {
-      tiles.push_back(std::make_unique<SampleTiles>());
+    while (back_workers.size() < count) {
+      back_workers.push_back(std::make_unique<BackWorker>());
     }
   }
 

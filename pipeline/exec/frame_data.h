@@ -16,6 +16,7 @@
 #include "pipeline/clip/clip.h"
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/small.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
@@ -62,9 +63,6 @@ struct PacketRange {
   uint32_t first_primitive = 0, primitive_count = 0;
 };
 
-// Set in the entries of bins that number a small primitive.
-inline constexpr uint32_t kSmallEntry = 0x80000000u;
-
 struct Packet {
   // Filled while recording.
   std::vector<PacketRange> ranges;
@@ -75,6 +73,7 @@ struct Packet {
   // Filled by the front phase.
   std::vector<PrimitiveRecord> primitives;
   std::vector<SmallPrimitive> small;
+  std::vector<const float*> records;  // by range: its vertex records
   Bins bins;
 
   void reset() {
@@ -108,9 +107,15 @@ struct TileWork {
 void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
                     const TileGrid& grid, TileWork& work);
 
+// What a worker has in the back phase; used for one tile after another.
+struct BackWorker {
+  SampleTiles tiles;
+  SmallShader small;
+};
+
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
-              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles);
+              const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker);
 
 }  // namespace clearpipe::pipeline

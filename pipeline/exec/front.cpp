@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "pipeline/exec/frame_data.h"
-#include "pipeline/exec/small.h"
 #include "pipeline/setup/triangles.h"
 
 namespace clearpipe::pipeline {
@@ -33,61 +32,101 @@ namespace {
 
 // The vertices of primitive `p`, numbered as the draw names them (2.6.1). The last is provoking;
 // odd triangles of a strip exchange the first two, so that all have the strip's winding.
-int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t out[3]) {
-  switch (primitive) {
-    case Primitive::kPoints:
-      out[0] = p;
-      return 1;
-    case Primitive::kLines:
-      out[0] = 2 * p;
-      out[1] = 2 * p + 1;
-      return 2;
-    case Primitive::kLineLoop:
-      out[0] = p;
-      out[1] = p + 1 == count ? 0 : p + 1;
-      return 2;
-    case Primitive::kLineStrip:
-      out[0] = p;
-      out[1] = p + 1;
-      return 2;
-    case Primitive::kTriangles:
-      out[0] = 3 * p;
-      out[1] = 3 * p + 1;
-      out[2] = 3 * p + 2;
-      return 3;
-    case Primitive::kTriangleStrip:
-      out[0] = p + (p & 1);
-      out[1] = p + 1 - (p & 1);
-      out[2] = p + 2;
-      return 3;
-    case Primitive::kTriangleFan:
-      out[0] = 0;
-      out[1] = p + 1;
-      out[2] = p + 2;
-      return 3;
+template <Primitive kPrimitive>
+void primitive_vertices(uint32_t p, uint32_t count, uint32_t out[3]) {
+  if constexpr (kPrimitive == Primitive::kPoints) {
+    out[0] = p;
+  } else if constexpr (kPrimitive == Primitive::kLines) {
+    out[0] = 2 * p;
+    out[1] = 2 * p + 1;
+  } else if constexpr (kPrimitive == Primitive::kLineLoop) {
+    out[0] = p;
+    out[1] = p + 1 == count ? 0 : p + 1;
+  } else if constexpr (kPrimitive == Primitive::kLineStrip) {
+    out[0] = p;
+    out[1] = p + 1;
+  } else if constexpr (kPrimitive == Primitive::kTriangles) {
+    out[0] = 3 * p;
+    out[1] = 3 * p + 1;
+    out[2] = 3 * p + 2;
+  } else if constexpr (kPrimitive == Primitive::kTriangleStrip) {
+    out[0] = p + (p & 1);
+    out[1] = p + 1 - (p & 1);
+    out[2] = p + 2;
+  } else {
+    out[0] = 0;
+    out[1] = p + 1;
+    out[2] = p + 2;
   }
-  return 0;
 }
 
-uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
-  const DrawCommand& command = draw.command;
-  switch (command.index_type) {
-    case IndexType::kNone:
-      return command.first + vertex - draw.index_base;
-    case IndexType::kUnsignedByte:
-      return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
-    case IndexType::kUnsignedShort: {
-      uint16_t value;
-      std::memcpy(&value, command.indices + size_t{2} * vertex, sizeof(value));
-      return value - draw.index_base;
-    }
-    case IndexType::kUnsignedInt: {
-      uint32_t value;
-      std::memcpy(&value, command.indices + size_t{4} * vertex, sizeof(value));
-      return value - draw.index_base;
-    }
+int corner_count(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::kPoints:
+      return 1;
+    case Primitive::kLines:
+    case Primitive::kLineLoop:
+    case Primitive::kLineStrip:
+      return 2;
+    default:
+      return 3;
   }
-  return 0;
+}
+
+// Calls f(corner, primitive of the range, element) for each corner of a range, in order.
+template <Primitive kPrimitive, class ElementOf, class F>
+void for_each_corner_of(const DrawRecord& draw, const PacketRange& range,
+                        const ElementOf& element_of, const F& f) {
+  const int corners = corner_count(kPrimitive);
+  for (uint32_t i = 0; i < range.primitive_count; ++i) {
+    uint32_t vertex[3];
+    primitive_vertices<kPrimitive>(range.first_primitive + i, draw.command.count, vertex);
+    for (int k = 0; k < corners; ++k) f(k, i, element_of(vertex[k]));
+  }
+}
+
+template <class ElementOf, class F>
+void for_each_corner_with(const DrawRecord& draw, const PacketRange& range,
+                          const ElementOf& element_of, const F& f) {
+  switch (draw.command.primitive) {
+#define FOR_EACH_CORNER(primitive) \
+  case Primitive::primitive:       \
+    return for_each_corner_of<Primitive::primitive>(draw, range, element_of, f);
+    FOR_EACH_CORNER(kPoints)
+    FOR_EACH_CORNER(kLines)
+    FOR_EACH_CORNER(kLineLoop)
+    FOR_EACH_CORNER(kLineStrip)
+    FOR_EACH_CORNER(kTriangles)
+    FOR_EACH_CORNER(kTriangleStrip)
+    FOR_EACH_CORNER(kTriangleFan)
+#undef FOR_EACH_CORNER
+  }
+}
+
+template <class Index>
+auto indexed_elements(const DrawRecord& draw) {
+  return [indices = draw.command.indices, base = draw.index_base](uint32_t vertex) {
+    Index value;
+    std::memcpy(&value, indices + sizeof(Index) * size_t{vertex}, sizeof(value));
+    return value - base;
+  };
+}
+
+template <class F>
+void for_each_corner(const DrawRecord& draw, const PacketRange& range, const F& f) {
+  switch (draw.command.index_type) {
+    case IndexType::kNone: {
+      const uint32_t first = draw.command.first - draw.index_base;
+      return for_each_corner_with(
+          draw, range, [first](uint32_t v) { return first + v; }, f);
+    }
+    case IndexType::kUnsignedByte:
+      return for_each_corner_with(draw, range, indexed_elements<uint8_t>(draw), f);
+    case IndexType::kUnsignedShort:
+      return for_each_corner_with(draw, range, indexed_elements<uint16_t>(draw), f);
+    case IndexType::kUnsignedInt:
+      return for_each_corner_with(draw, range, indexed_elements<uint32_t>(draw), f);
+  }
 }
 
 }  // namespace
@@ -97,9 +136,10 @@ uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
 class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
-    packet.bins.reset(grid, tile_numbers_);
+    packet.bins.reset(grid, bin_scratch_);
     packet.primitives.clear();
     packet.small.clear();
+    packet.records.clear();
     for (const PacketRange& range : packet.ranges) {
       run_range(draws[range.draw], range, packet);
     }
@@ -129,16 +169,10 @@ class FrontWorker {
   void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
     ++generation_;
     element_count_ = 0;
-    const Primitive primitive = draw.command.primitive;
-    int corners = 0;
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      uint32_t vertex[3] = {};
-      corners =
-          primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
-      for (int k = 0; k < corners; ++k) {
-        triangles_.corner[k][i] = local_vertex(element_index(draw, vertex[k]));
-      }
-    }
+    const int corners = corner_count(draw.command.primitive);
+    for_each_corner(draw, range, [this](int corner, uint32_t primitive, uint32_t element) {
+      triangles_.corner[corner][primitive] = local_vertex(element);
+    });
     const int stride = draw.setup.layout.stride;
     float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
     VertexJob job;
@@ -151,6 +185,7 @@ class FrontWorker {
     job.count = element_count_;
     job.records = records;
     run_vertex_stages(job);
+    packet.records.push_back(records);
 
     draws_small_ = draws_small(draw);
     if (corners == 3 && draws_small_) {
@@ -178,7 +213,9 @@ class FrontWorker {
     job.mask_low = triangles_.mask_low.data();
     job.mask_high = triangles_.mask_high.data();
     setup_triangles(draw.setup, job);
-    const int stride = draw.setup.layout.stride;
+    SmallPrimitive small;
+    small.size = 0;
+    small.kind = PrimitiveKind::kTriangle;
     for (uint32_t i = 0; i < range.primitive_count; ++i) {
       const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
       if (fate == TriangleFate::kNothing) continue;
@@ -186,18 +223,11 @@ class FrontWorker {
         emit_corners(draw, range.draw, 3, records, i, packet);
         continue;
       }
-      SmallPrimitive small;
-      for (int k = 0; k < 3; ++k) {
-        small.vertex[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * stride;
-      }
       small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
       small.x = static_cast<int16_t>(triangles_.x[i]);
       small.y = static_cast<int16_t>(triangles_.y[i]);
-      small.draw = range.draw;
-      small.size = 0;
-      small.kind = PrimitiveKind::kTriangle;
       small.back_facing = fate == TriangleFate::kSmallBack;
-      add_small(small, packet);
+      add_small(i, small, packet);
     }
   }
 
@@ -213,54 +243,68 @@ class FrontWorker {
       any |= outcode;
       all &= outcode;
     }
-    // Not if outside one plane as a whole.
-    if ((all & ~uint32_t{kOutcodeGuard}) == 0) emit(draw, draw_index, corners, v, any, packet);
-  }
-
-  void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
-            uint32_t outcodes, Packet& packet) {
+    if ((all & ~uint32_t{kOutcodeGuard}) != 0) return;  // outside one plane as a whole
     PrimitiveRecord record;
     record.draw = draw_index;
-    if (corners == 3) {
-      if (outcodes == 0) {
-        add(setup_triangle(draw.setup, v[0], v[1], v[2], record), record, packet);
-        return;
+    if (any != 0) {
+      clip(draw, corners, v, any, record, packet);
+    } else if (setup(draw.setup, corners, v, record)) {
+      SmallPrimitive small;
+      if (!draws_small_ || !is_small(record)) {
+        add(record, packet);
+      } else if (make_small(record, small)) {
+        add_small(i, small, packet);
       }
+    }
+  }
+
+  static bool setup(const SetupState& state, int corners, const float* const* v,
+                    PrimitiveRecord& out) {
+    switch (corners) {
+      case 1:
+        return setup_point(state, v[0], out);
+      case 2:
+        return setup_line(state, v[0], v[1], out);
+      default:
+        return setup_triangle(state, v[0], v[1], v[2], out);
+    }
+  }
+
+  // A primitive that crosses planes; a point that does is gone.
+  void clip(const DrawRecord& draw, int corners, const float* v[3], uint32_t outcodes,
+            PrimitiveRecord& record, Packet& packet) {
+    if (corners == 3) {
       const float* polygon[kMaxClippedCorners];
       const int count = clip_triangle(draw.clip, v, outcodes, arena_, polygon);
       for (int i = 2; i < count; ++i) {
         PrimitiveRecord piece = record;
-        add(setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece), piece,
-            packet);
+        if (setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece)) {
+          add(piece, packet);
+        }
       }
-    } else if (corners == 2) {
-      if (outcodes == 0 || clip_line(draw.clip, v, outcodes, arena_)) {
-        add(setup_line(draw.setup, v[0], v[1], record), record, packet);
-      }
-    } else if (outcodes == 0) {
-      add(setup_point(draw.setup, v[0], record), record, packet);
+    } else if (corners == 2 && clip_line(draw.clip, v, outcodes, arena_) &&
+               setup_line(draw.setup, v[0], v[1], record)) {
+      add(record, packet);
     }
   }
 
-  void add(bool visible, const PrimitiveRecord& record, Packet& packet) const {
-    if (!visible) return;
-    if (draws_small_ && is_small(record)) {
-      SmallPrimitive small;
-      if (!make_small(record, small)) return;
-      add_small(small, packet);
-    } else {
-      packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
-      packet.primitives.push_back(record);
-    }
+  static void add(const PrimitiveRecord& record, Packet& packet) {
+    packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
+    packet.primitives.push_back(record);
   }
 
-  static void add_small(const SmallPrimitive& primitive, Packet& packet) {
+  // Primitive i of the range at hand, the last whose records the packet has.
+  void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
+    for (int k = 0; k < 3; ++k) {
+      primitive.vertex[k] = static_cast<uint32_t>(triangles_.corner[k][i]);
+    }
+    primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
     packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
     packet.small.push_back(primitive);
   }
 
   Arena arena_;
-  TileNumbers tile_numbers_;
+  BinScratch bin_scratch_;
   uint32_t element_count_ = 0;
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   std::array<uint32_t, kPacketVertices> elements_;
