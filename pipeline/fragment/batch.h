@@ -18,7 +18,7 @@ inline constexpr int kBatchSize = 128;
 
 // An 8-bit colour component as the nearest fixed-point value.
 constexpr int16_t colour_from_unorm8(int v) {
-  return static_cast<int16_t>((v << 5) + (((v << 6) + (v >> 2) + 256) >> 9));
+  return static_cast<int16_t>((v << 5) + ((v + 4) >> 3));
 }
 
 struct FragmentBatch {

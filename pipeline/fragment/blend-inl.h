@@ -16,11 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The nearest integer to a * b / 255.
+// The nearest integer to a * b / 255, as (a b + 128) * 257 / 65536.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V multiply_unorm8(D d, V a, V b) {
-  const V t = hn::Add(hn::Mul(a, b), hn::Set(d, 128));
-  return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
+  return hn::MulHigh(hn::Add(hn::Mul(a, b), hn::Set(d, 128)), hn::Set(d, 257));
 }
 
 // The colour of source and destination at one channel, with both alphas at hand.
@@ -60,14 +59,21 @@ HWY_INLINE V blend_factor(D d, BlendFactor factor, bool alpha, const BlendOperan
   return one;
 }
 
+// A colour times its factor; ONE and ZERO, which are common, need no product.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V weigh(D d, V colour, BlendFactor factor, bool alpha, const BlendOperands<V>& in) {
+  if (factor == BlendFactor::kOne) return colour;
+  if (factor == BlendFactor::kZero) return hn::Zero(d);
+  return multiply_unorm8(d, colour, blend_factor(d, factor, alpha, in));
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V blend(D d, BlendEquation equation, BlendFactor source_factor,
                    BlendFactor destination_factor, bool alpha, const BlendOperands<V>& in) {
   if (equation == BlendEquation::kMin) return hn::Min(in.source, in.destination);
   if (equation == BlendEquation::kMax) return hn::Max(in.source, in.destination);
-  const V source = multiply_unorm8(d, in.source, blend_factor(d, source_factor, alpha, in));
-  const V destination =
-      multiply_unorm8(d, in.destination, blend_factor(d, destination_factor, alpha, in));
+  const V source = weigh(d, in.source, source_factor, alpha, in);
+  const V destination = weigh(d, in.destination, destination_factor, alpha, in);
   switch (equation) {
     case BlendEquation::kSubtract:
       return hn::SaturatedSub(source, destination);

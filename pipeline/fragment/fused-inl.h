@@ -10,14 +10,15 @@
 #include <hwy/highway.h>
 
 #include <bit>
+#include <type_traits>
 
 #include "pipeline/fragment/blend-inl.h"
 #include "pipeline/fragment/compare-inl.h"
 #include "pipeline/fragment/depth_stencil-inl.h"
 #include "pipeline/fragment/fog-inl.h"
-#include "pipeline/fragment/fused.h"
 #include "pipeline/fragment/fused_unit-inl.h"
 #include "pipeline/fragment/group-inl.h"
+#include "pipeline/fragment/write-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -25,8 +26,70 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
 
+// The texture units of a program: all are sampled, then their environments follow one another
+// (3.7.12, 3.7.13). Environments that are not simple go through the chain's, on a batch of one
+// group.
+class FusedTextures {
+ public:
+  void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile) {
+    p_ = &program;
+    count_ = 0;
+    simple_ = true;
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+      if ((program.inputs.texture_units >> u & 1) == 0) continue;
+      unit_[count_].start(program, planes, tile, u);
+      number_[count_++] = u;
+      simple_ = simple_ && program.unit[u].simple_environment;
+    }
+  }
+
+  // Samples groups of a row; x and w are those of its pixels.
+  HWY_INLINE void sample(int row, uint32_t groups, VecF y, const float* x, const float* w) {
+    for (int i = 0; i < count_; ++i) unit_[i].sample(row, groups, y, x, w, batch_);
+  }
+
+  // The environments of a group that is sampled.
+  HWY_INLINE void apply(int group, Colour16& colour) {
+    if (!simple_) {
+      apply_any(group, colour);
+      return;
+    }
+    for (int i = 0; i < count_; ++i) {
+      apply_simple_environment(p_->unit[number_[i]].combiner, unit_[i].colour(group), colour);
+    }
+  }
+
+ private:
+  HWY_NOINLINE void apply_any(int group, Colour16& colour) {
+    const Tag16 d;
+    for (int i = 0; i < count_; ++i) {
+      const Colour16 texture = unit_[i].colour(group);
+      for (int c = 0; c < 4; ++c) {
+        hn::Store(texture.channel[c], d, batch_.texture[number_[i]][c]);
+      }
+    }
+    for (int c = 0; c < 4; ++c) {
+      hn::Store(colour.channel[c], d, batch_.primary[c]);
+      hn::Store(colour.channel[c], d, batch_.previous[c]);
+    }
+    batch_.count = kGroup;
+    for (int i = 0; i < count_; ++i) {
+      const UnitProgram& unit = p_->unit[number_[i]];
+      texture_environment(unit.combiner, unit.constant, batch_);
+    }
+    for (int c = 0; c < 4; ++c) colour.channel[c] = hn::Load(d, batch_.previous[c]);
+  }
+
+  const FragmentProgram* p_;
+  int count_;
+  bool simple_;
+  int number_[kMaxTextureUnits];
+  FusedUnit unit_[kMaxTextureUnits];
+  FragmentBatch batch_;
+};
+
 // All stages over the rows of a coverage, a group of pixels at a time.
-template <FusedSampler kSampler0, FusedSampler kSampler1>
+template <bool kTextured>
 class FusedLoop {
  public:
   FusedLoop(const FragmentProgram& program, const PrimitivePlanes& planes, Tile& tile)
@@ -34,14 +97,14 @@ class FusedLoop {
         planes_(planes),
         tile_(tile),
         tests_(program.depth_test || program.stencil.enabled),
-        depth_(depth_state(program)),
-        unit0_(program, planes, tile, 0),
-        unit1_(program, planes, tile, 1) {
-    needs_w_ = planes.perspective && (kSampler0 != FusedSampler::kNone || !planes.flat_colour ||
-                                      program.fog_mode != FogMode::kNone);
-    opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled;
-    solid_ = kSampler0 == FusedSampler::kNone && planes.flat_colour && opaque_ &&
-             program.fog_mode == FogMode::kNone && !program.alpha_test;
+        depth_(depth_state(program)) {
+    needs_w_ = planes.perspective &&
+               (kTextured || !planes.flat_colour || program.fog_mode != FogMode::kNone);
+    blends_ = program.blend.enabled && !program.has_logic_op;
+    opaque_ = program.colour_mask == 0xffffffffu && !blends_ && !program.has_logic_op;
+    solid_ = !kTextured && planes.flat_colour && opaque_ && program.fog_mode == FogMode::kNone &&
+             !program.alpha_test;
+    if constexpr (kTextured) textures_.start(program, planes, tile);
     if (planes.flat_colour) {
       for (int c = 0; c < 4; ++c) {
         const VecI value = round_colour(TagF(), hn::Set(TagF(), planes.colour[c].value));
@@ -56,65 +119,125 @@ class FusedLoop {
   }
 
   void run(const Coverage& coverage) {
-    constexpr int kGroup = 2 * static_cast<int>(hn::MaxLanes(TagF()));
-    constexpr uint64_t kGroupBits = (uint64_t{1} << kGroup) - 1;
     for (int row = coverage.first_row; row < coverage.last_row; ++row) {
-      const uint64_t covered = coverage.rows[row];
+      uint64_t covered = coverage.rows[row];
       if (covered == 0) continue;
       set_row(row);
-      const int last = 64 - std::countl_zero(covered);
-      for (int x = std::countr_zero(covered) / kGroup * kGroup; x < last; x += kGroup) {
-        const uint64_t bits = covered >> x & kGroupBits;
-        if (bits != 0) shade_group(row, x, bits);
+      if constexpr (kTextured) {
+        if (tests_ && !p_.alpha_test) covered = test_row(row, covered);
+        if (covered == 0 || (p_.colour_mask == 0 && !p_.alpha_test)) continue;
+        sample_row(row, covered);
+      }
+      for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
+        const int group = std::countr_zero(rest);
+        shade_group(row, group, group_bits(covered, group));
       }
     }
   }
 
  private:
-  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(TagF()));
+  static constexpr int kLanes = kGroup / 2;
 
-  HWY_INLINE void set_row(int row) {
-    const TagF d;
-    const VecF y = hn::Set(d, static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
-    if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y);
-    if (solid_) return;
-    if (needs_w_) inv_w_ = RowPlane(planes_.inv_w, y);
-    if (!planes_.flat_colour) {
-      for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y);
-    }
-    if (p_.fog_mode != FogMode::kNone) fog_ = RowPlane(planes_.fog, y);
-    if constexpr (kSampler0 != FusedSampler::kNone) unit0_.set_row(row, y);
-    if constexpr (kSampler1 != FusedSampler::kNone) unit1_.set_row(row, y);
+  static constexpr uint64_t kGroupBits = (uint64_t{1} << kGroup) - 1;
+
+  static HWY_INLINE uint64_t group_bits(uint64_t covered, int group) {
+    return covered >> (group * kGroup) & kGroupBits;
   }
 
-  HWY_INLINE void shade_group(int row, int column, uint64_t bits) {
+  // The groups of a row that have pixels, a bit each.
+  static HWY_INLINE uint32_t groups_of(uint64_t covered) {
+    uint32_t groups = 0;
+    for (int group = 0; group < kRowGroups; ++group) {
+      groups |= (group_bits(covered, group) != 0 ? 1u : 0u) << group;
+    }
+    return groups;
+  }
+
+  HWY_INLINE void set_row(int row) {
+    y_ = hn::Set(TagF(), static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
+    if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y_);
+    if (solid_) return;
+    if (needs_w_) inv_w_ = RowPlane(planes_.inv_w, y_);
+    if (!planes_.flat_colour) {
+      for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y_);
+    }
+    if (p_.fog_mode != FogMode::kNone) fog_ = RowPlane(planes_.fog, y_);
+  }
+
+  // The places of a group's pixels, from whole numbers, as the chain has them.
+  HWY_INLINE Pair<VecF> place(int group) const {
     const TagF d;
-    const TagI di;
-    // From whole numbers, as the chain has it.
     const VecF to_x = hn::Set(d, 0.5f - planes_.x_ref);
-    const VecF first = hn::Set(d, static_cast<float>(tile_.x + column));
-    const Pair<VecF> x = {hn::Add(hn::Add(first, hn::Iota(d, 0)), to_x),
-                          hn::Add(hn::Add(first, hn::Iota(d, kLanes)), to_x)};
+    const VecF first = hn::Set(d, static_cast<float>(tile_.x + group * kGroup));
+    return {hn::Add(hn::Add(first, hn::Iota(d, 0)), to_x),
+            hn::Add(hn::Add(first, hn::Iota(d, kLanes)), to_x)};
+  }
+
+  static HWY_INLINE Pair<MaskI> live_mask(uint64_t bits) {
+    const TagI d;
     const uint64_t upper_bits = bits >> kLanes;
-    Pair<MaskI> live = {hn::LoadMaskBits(di, reinterpret_cast<const uint8_t*>(&bits)),
-                        hn::LoadMaskBits(di, reinterpret_cast<const uint8_t*>(&upper_bits))};
-    const int at = row * kTileWidth + column;
-    // The alpha test comes first where there is one (4.1.4); otherwise what fails is not coloured.
-    if (tests_ && !p_.alpha_test && !test_depth_stencil(x, at, live)) return;
-    if (p_.colour_mask == 0 && !p_.alpha_test) return;
-    if (solid_) {
-      store_live({solid_pixels_, solid_pixels_}, live, tile_.colour + at);
-      return;
+    return {hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&bits)),
+            hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&upper_bits))};
+  }
+
+  static HWY_INLINE uint64_t bits_of(const Pair<MaskI>& live) {
+    const TagI d;
+    uint8_t lower[8] = {}, upper[8] = {};
+    hn::StoreMaskBits(d, live.lower, lower);
+    hn::StoreMaskBits(d, live.upper, upper);
+    uint32_t lower_bits, upper_bits;
+    std::memcpy(&lower_bits, lower, sizeof(lower_bits));
+    std::memcpy(&upper_bits, upper, sizeof(upper_bits));
+    return lower_bits | static_cast<uint64_t>(upper_bits) << kLanes;
+  }
+
+  // The depth and stencil tests of a row; returns what passes.
+  HWY_INLINE uint64_t test_row(int row, uint64_t covered) {
+    uint64_t passed = 0;
+    for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
+      const int group = std::countr_zero(rest);
+      Pair<MaskI> live = live_mask(group_bits(covered, group));
+      if (test_depth_stencil(place(group), row * kTileWidth + group * kGroup, live)) {
+        passed |= bits_of(live) << (group * kGroup);
+      }
+    }
+    return passed;
+  }
+
+  HWY_INLINE void sample_row(int row, uint64_t covered) {
+    const TagF d;
+    const uint32_t groups = groups_of(covered);
+    for (uint32_t rest = groups; rest != 0; rest &= rest - 1) {
+      const int group = std::countr_zero(rest);
+      const Pair<VecF> x = place(group);
+      hn::Store(x.lower, d, x_ + group * kGroup);
+      hn::Store(x.upper, d, x_ + group * kGroup + kLanes);
+      if (!needs_w_) continue;
+      const Pair<VecF> w = reciprocal(inv_w_.at(x));
+      hn::Store(w.lower, d, w_ + group * kGroup);
+      hn::Store(w.upper, d, w_ + group * kGroup + kLanes);
+    }
+    textures_.sample(row, groups, y_, x_, w_);
+  }
+
+  HWY_INLINE void shade_group(int row, int group, uint64_t bits) {
+    const Pair<VecF> x = place(group);
+    Pair<MaskI> live = live_mask(bits);
+    const int at = row * kTileWidth + group * kGroup;
+    if constexpr (!kTextured) {
+      // The alpha test comes first where there is one (4.1.4); otherwise what fails is not
+      // coloured.
+      if (tests_ && !p_.alpha_test && !test_depth_stencil(x, at, live)) return;
+      if (p_.colour_mask == 0 && !p_.alpha_test) return;
+      if (solid_) {
+        store_live({solid_pixels_, solid_pixels_}, live, tile_.colour + at);
+        return;
+      }
     }
     Pair<VecF> w{};
-    if (needs_w_) w = reciprocal(inv_w_.at(x));
+    if (needs_w_) w = group_w(group, x);
     Colour16 colour = primary_colour(x, w);
-    if constexpr (kSampler0 != FusedSampler::kNone) {
-      unit0_.apply_environment(unit0_.sample(column, x, w), colour);
-    }
-    if constexpr (kSampler1 != FusedSampler::kNone) {
-      unit1_.apply_environment(unit1_.sample(column, x, w), colour);
-    }
+    if constexpr (kTextured) textures_.apply(group, colour);
     if (p_.fog_mode != FogMode::kNone) apply_fog(x, w, colour);
     Vec16 bytes[4];
     for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);
@@ -126,6 +249,15 @@ class FusedLoop {
       if (tests_ && !test_depth_stencil(x, at, live)) return;
     }
     if (p_.colour_mask != 0) write(bytes, at, live);
+  }
+
+  HWY_INLINE Pair<VecF> group_w(int group, const Pair<VecF>& x) const {
+    const TagF d;
+    if constexpr (kTextured) {
+      return {hn::Load(d, w_ + group * kGroup), hn::Load(d, w_ + group * kGroup + kLanes)};
+    } else {
+      return reciprocal(inv_w_.at(x));
+    }
   }
 
   // Both tests; fragments that fail leave `live`. False when none is left.
@@ -177,8 +309,12 @@ class FusedLoop {
       return;
     }
     const Pair<VecU> stored = {hn::Load(d, to), hn::Load(d, to + kLanes)};
-    if (p_.blend.enabled) blend_group(stored, bytes);
-    const Pair<VecU> packed = pack_pixels(bytes);
+    if (blends_) blend_group(stored, bytes);
+    Pair<VecU> packed = pack_pixels(bytes);
+    if (p_.has_logic_op) {
+      packed.lower = logic_op(d, p_.logic_op, packed.lower, stored.lower);
+      packed.upper = logic_op(d, p_.logic_op, packed.upper, stored.upper);
+    }
     const VecU writable = hn::Set(d, p_.colour_mask);
     store_half(packed.lower, stored.lower, writable, live.lower, to);
     store_half(packed.upper, stored.upper, writable, live.upper, to + kLanes);
@@ -221,19 +357,21 @@ class FusedLoop {
   const bool tests_;
   const DepthState depth_;
   bool needs_w_;
+  bool blends_;
   bool opaque_;  // every fragment that lives replaces the whole pixel
   bool solid_;   // and all of them by the same
   Colour16 flat_;
   VecU solid_pixels_;
   RowPlane depth_plane_, inv_w_, fog_, colour_[4];
-  FusedUnit<kSampler0> unit0_;
-  FusedUnit<kSampler1> unit1_;
+  VecF y_;
+  alignas(64) float x_[kTileWidth], w_[kTileWidth];  // of the pixels of a textured row
+  std::conditional_t<kTextured, FusedTextures, char> textures_;
 };
 
-template <FusedSampler kSampler0, FusedSampler kSampler1>
+template <bool kTextured>
 void run_fused(const FragmentProgram& program, const PrimitivePlanes& planes,
                const Coverage& coverage, Tile& tile) {
-  FusedLoop<kSampler0, kSampler1>(program, planes, tile).run(coverage);
+  FusedLoop<kTextured>(program, planes, tile).run(coverage);
 }
 
 #endif  // HWY_TARGET != HWY_SCALAR

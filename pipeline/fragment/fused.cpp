@@ -1,4 +1,4 @@
-// The fused loops of fused.def on every SIMD target, and the choice among them.
+// The fused loops on every SIMD target, and the choice of what they call.
 // SPDX-License-Identifier: MIT
 #include "pipeline/fragment/fused.h"
 
@@ -14,20 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 
-// The loop for a pair of samplers on this target; one lane at a time is the chain's business.
-FusedFunction FindFused(FusedSampler sampler0, FusedSampler sampler1) {
+// The loop on this target; one lane at a time is the chain's business.
+FusedFunction FindFused(bool textured) {
 #if HWY_TARGET != HWY_SCALAR
-#define FUSED_LOOP(s0, s1)                                            \
-  if (sampler0 == FusedSampler::s0 && sampler1 == FusedSampler::s1) { \
-    return run_fused<FusedSampler::s0, FusedSampler::s1>;             \
-  }
-#include "pipeline/fragment/fused.def"
-#undef FUSED_LOOP
+  return textured ? run_fused<true> : run_fused<false>;
 #else
-  (void)sampler0;
-  (void)sampler1;
-#endif
+  (void)textured;
   return nullptr;
+#endif
 }
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
@@ -39,29 +33,27 @@ namespace fragment {
 
 HWY_EXPORT(FindFused);
 
-static FusedFunction find(FusedSampler sampler0, FusedSampler sampler1) {
+static FusedFunction find(bool textured) {
   select_simd_target();
-  return HWY_DYNAMIC_DISPATCH(FindFused)(sampler0, sampler1);
+  return HWY_DYNAMIC_DISPATCH(FindFused)(textured);
 }
 
 }  // namespace fragment
 
 namespace {
 
-bool is_power_of_two(int v) { return (v & (v - 1)) == 0; }
-
-FusedSampler sampler_of(const SampleState& state) {
+// The sampler of fused.def for one of a unit's filters. sRGB-encoded images are left to the chain.
+FusedSampler sampler_of(const SampleState& state, Filter filter) {
   const SampleLevel& level = state.levels[state.first_level];
-  const Sampler& sampler = state.sampler;
-  if (state.needs_lod || sampler.wrap_s != sampler.wrap_t) return FusedSampler::kAny;
-  const bool linear = sampler.mag == Filter::kLinear;
-  if (sampler.wrap_s == Wrap::kClampToEdge) {
-    return linear ? FusedSampler::kLinearClamp : FusedSampler::kNearestClamp;
+  const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
+  const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);
+  if (state.sampler.max_anisotropy > 1) return FusedSampler::kAny;
+#define FUSED_SAMPLER(f, wrap_s, wrap_t)                                                \
+  if (filter == Filter::k##f && s == WrapKind::k##wrap_s && t == WrapKind::k##wrap_t) { \
+    return FusedSampler::k##f##wrap_s##wrap_t;                                          \
   }
-  if (sampler.wrap_s == Wrap::kRepeat && is_power_of_two(level.width) &&
-      is_power_of_two(level.height)) {
-    return linear ? FusedSampler::kLinearRepeat : FusedSampler::kNearestRepeat;
-  }
+#include "pipeline/fragment/fused.def"
+#undef FUSED_SAMPLER
   return FusedSampler::kAny;
 }
 
@@ -89,20 +81,15 @@ bool has_simple_environment(const Combiner& combiner, int unit) {
 
 }  // namespace
 
-FusedFunction select_fused(const FragmentProgram& program) {
-  if (program.has_logic_op) return nullptr;
-  FusedSampler sampler[2] = {FusedSampler::kNone, FusedSampler::kNone};
-  if (program.inputs.texture_units > 3 || program.inputs.texture_units == 2) return nullptr;
-  for (int unit = 0; unit < 2; ++unit) {
-    if ((program.inputs.texture_units >> unit & 1) == 0) continue;
-    if (!has_simple_environment(program.unit[unit].combiner, unit)) return nullptr;
-    sampler[unit] = sampler_of(program.unit[unit].sample);
+void select_fused(FragmentProgram& program) {
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    if ((program.inputs.texture_units >> u & 1) == 0) continue;
+    UnitProgram& unit = program.unit[u];
+    unit.fused_min = sampler_of(unit.sample, unit.sample.sampler.min);
+    unit.fused_mag = sampler_of(unit.sample, unit.sample.sampler.mag);
+    unit.simple_environment = has_simple_environment(unit.combiner, u);
   }
-  if (const FusedFunction found = fragment::find(sampler[0], sampler[1])) return found;
-  for (FusedSampler& s : sampler) {
-    if (s != FusedSampler::kNone) s = FusedSampler::kAny;
-  }
-  return fragment::find(sampler[0], sampler[1]);
+  program.fused = fragment::find(program.inputs.texture_units != 0);
 }
 
 }  // namespace clearpipe::pipeline

@@ -1,4 +1,5 @@
-// A texture unit of the fused loop: its coordinates along a row, its sampler, its environment.
+// A texture unit of the fused loop: its coordinates along a row, its levels of detail and samplers,
+// and the simple environments.
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_FUSED_UNIT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_FUSED_UNIT_INL_H_
@@ -9,10 +10,10 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstring>
-#include <type_traits>
 
-#include "pipeline/fragment/fused.h"
+#include "pipeline/fragment/fused_sample-inl.h"
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
 #include "pipeline/fragment/sample-inl.h"
@@ -47,124 +48,225 @@ HWY_INLINE Pair<VecF> reciprocal(const Pair<VecF>& v) {
   return {hn::Div(one, v.lower), hn::Div(one, v.upper)};
 }
 
-constexpr sampling::HWY_NAMESPACE::WrapKind fused_wrap(FusedSampler sampler) {
-  return sampler == FusedSampler::kNearestRepeat || sampler == FusedSampler::kLinearRepeat
-             ? sampling::HWY_NAMESPACE::WrapKind::kRepeatPowerOfTwo
-             : sampling::HWY_NAMESPACE::WrapKind::kClampToEdge;
-}
-
-constexpr bool fused_linear(FusedSampler sampler) {
-  return sampler == FusedSampler::kLinearRepeat || sampler == FusedSampler::kLinearClamp;
-}
-
-// One texture unit: its coordinates on the row at hand, and its environment.
-template <FusedSampler kSampler>
-class FusedUnit {
+// Levels and weights of the quads of a tile (3.7.7, 3.7.8), found for a group at a time and kept
+// for the second row of the quads. Keys are those of sample.h; weights have 8 bits.
+class QuadLevels {
  public:
-  FusedUnit(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
-            int unit)
-      : unit_(program.unit[unit]), planes_(planes), tile_(tile), index_(unit) {
-    const Plane& q = planes.texture[unit][3];
-    const Plane& w = planes.inv_w;
-    q_is_one_ = q.value == 1 && q.dx == 0 && q.dy == 0;
-    q_is_inv_w_ = planes.perspective && std::memcmp(&q, &w, sizeof(Plane)) == 0;
+  HWY_INLINE void set_row(const Tile& tile, int row) {
+    const int corner = quad_row(tile, tile.y + row);
+    if (corner != corner_) done_ = 0;
+    corner_ = corner;
   }
 
-  HWY_INLINE void set_row(int row, VecF y) {
-    row_ = row;
-    const Plane* planes = planes_.texture[index_];
-    s_ = RowPlane(planes[0], y);
-    t_ = RowPlane(planes[1], y);
-    q_ = RowPlane(planes[3], y);
+  void find(const PrimitivePlanes& primitive, const Plane* planes, const SampleState& sample,
+            const Tile& tile, uint32_t groups) {
+    const TagF d;
+    const TagI di;
+    const SampleLevel& level = sample.levels[sample.first_level];
+    const VecF to_x = hn::Set(d, 0.5f - primitive.x_ref);
+    const VecF y = hn::Set(d, static_cast<float>(corner_) + (0.5f - primitive.y_ref));
+    for_each_group(groups & ~done_, [&](int group) HWY_ATTR {
+      const VecI columns =
+          hn::Add(hn::Set(di, tile.x + group * kGroup), hn::ShiftLeft<1>(hn::Iota(di, 0)));
+      const VecF x = hn::Add(hn::ConvertTo(d, columns), to_x);
+      const VecF lod = level_of_detail(d, quad_footprint(d, planes, level, tile, x, y));
+      const auto choice = sampling::HWY_NAMESPACE::choose_level<false>(sample, lod);
+      hn::Store(choice.key, di, keys_ + group * kLanes);
+      hn::Store(choice.weight, di, weights_ + group * kLanes);
+    });
+    done_ |= groups;
   }
 
-  // The texture's colour of a group; `column` is its first pixel in the tile.
-  HWY_INLINE Colour16 sample(int column, const Pair<VecF>& x, const Pair<VecF>& w) {
-    Pair<VecF> s = s_.at(x), t = t_.at(x);
-    if (!q_is_one_) {  // a division by one changes nothing
-      const Pair<VecF> reciprocal_q = q_is_inv_w_ ? w : reciprocal(q_.at(x));
-      s = multiply(s, reciprocal_q);
-      t = multiply(t, reciprocal_q);
-    }
-    if constexpr (kSampler == FusedSampler::kAny) {
-      return sample_any(column, s, t);
-    } else {
-      using Axes = sampling::HWY_NAMESPACE::FixedAxes<fused_wrap(kSampler), fused_wrap(kSampler)>;
-      const Axes axes(unit_.sample);
-      const SampleLevel& level = unit_.sample.levels[unit_.sample.first_level];
-      return narrow_sample(sample_half(axes, level, s.lower, t.lower),
-                           sample_half(axes, level, s.upper, t.upper));
-    }
+  HWY_INLINE VecI keys(int group) const { return hn::Load(TagI(), keys_ + group * kLanes); }
+  HWY_INLINE VecI weights(int group) const { return hn::Load(TagI(), weights_ + group * kLanes); }
+  HWY_INLINE int first_key(int group) const { return keys_[group * kLanes]; }
+  HWY_INLINE bool is_one_key(int group, int key) const {
+    return hn::AllTrue(TagI(), hn::Eq(keys(group), hn::Set(TagI(), key)));
+  }
+  HWY_INLINE MaskI between_levels(int group) const {
+    return hn::Gt(weights(group), hn::Zero(TagI()));
   }
 
-  // 3.7.12 for MODULATE and REPLACE, which select_fused has made sure of.
-  HWY_INLINE void apply_environment(const Colour16& texture, Colour16& colour) const {
-    for (int c = 0; c < 4; ++c) {
-      switch (c < 3 ? unit_.combiner.rgb : unit_.combiner.alpha) {
-        case Combine::kModulate:
-          colour.channel[c] = multiply_16(texture.channel[c], colour.channel[c]);
-          break;
-        default:
-          if (c < 3 || unit_.combiner.alpha_argument[0].source != CombineSource::kPrevious) {
-            colour.channel[c] = texture.channel[c];
-          }
-          break;
-      }
-    }
+  // A value of each quad for both of its pixels in the row, as a group has them.
+  static HWY_INLINE Vec16 spread(VecI quads) {
+    const TagI d;
+    const VecI lower = hn::ShiftRight<1>(hn::Iota(d, 0));
+    const VecI upper = hn::Add(lower, hn::Set(d, kLanes / 2));
+    return narrow({hn::TableLookupLanes(quads, hn::IndicesFromVec(d, lower)),
+                   hn::TableLookupLanes(quads, hn::IndicesFromVec(d, upper))});
   }
 
  private:
-  static HWY_INLINE Vec16 multiply_16(Vec16 a, Vec16 b) {
-    return combine<Combine::kModulate>(Tag16(), a, b, b);
+  static constexpr int kLanes = kGroup / 2;  // quads of a group
+
+  int corner_ = -1;
+  uint32_t done_ = 0;  // bit g: group g is found
+  alignas(64) int32_t keys_[kTileWidth / 2];
+  alignas(64) int32_t weights_[kTileWidth / 2];
+};
+
+// One texture unit: its coordinates on the row at hand, and its samplers.
+class FusedUnit {
+ public:
+  void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
+             int unit) {
+    unit_ = &program.unit[unit];
+    primitive_ = &planes;
+    planes_ = planes.texture[unit];
+    tile_ = &tile;
+    index_ = unit;
+    const Plane& q = planes_[3];
+    q_is_one_ = q.value == 1 && q.dx == 0 && q.dy == 0;
+    q_is_inv_w_ = planes.perspective && std::memcmp(&q, &planes.inv_w, sizeof(Plane)) == 0;
+    sampler_[0] = row_sampler(unit_->fused_min);
+    sampler_[1] = row_sampler(unit_->fused_mag);
+    has_levels_ = unit_->sample.needs_lod && sampler_[0] != nullptr;
+    if (has_levels_) levels_ = QuadLevels();
   }
 
-  template <class Axes>
-  HWY_INLINE sampling::HWY_NAMESPACE::Colours sample_half(const Axes& axes,
-                                                          const SampleLevel& level, VecF s,
-                                                          VecF t) const {
-    if constexpr (fused_linear(kSampler)) {
-      return widen(sampling::HWY_NAMESPACE::sample_linear<Axes, false>(axes, level, s, t));
+  // The texture's colours of groups of a row; x and w are those of the row's pixels.
+  void sample(int row, uint32_t groups, VecF y, const float* x, const float* w,
+              FragmentBatch& batch) {
+    find_coordinates(groups, y, x, w);
+    if (sampler_[0] == nullptr) {
+      for_each_group(groups, [&](int group) HWY_ATTR { sample_any(row, group, batch); });
+    } else if (has_levels_) {
+      levels_.set_row(*tile_, row);
+      levels_.find(*primitive_, planes_, unit_->sample, *tile_, groups);
+      sample_levels(groups);
     } else {
-      return widen(sampling::HWY_NAMESPACE::sample_nearest<Axes, false>(axes, level, s, t));
+      sampler_[0](unit_->sample.levels[unit_->sample.first_level], at_, groups, colours_);
     }
+  }
+
+  // Of a group that was sampled.
+  HWY_INLINE Colour16 colour(int group) const {
+    Colour16 c = colours_.load(group);
+    if (sampler_[0] != nullptr) {
+      for (Vec16& channel : c.channel) channel = from_unorm8(Tag16(), channel);
+    }
+    return c;
+  }
+
+ private:
+  HWY_INLINE void find_coordinates(uint32_t groups, VecF y, const float* x, const float* w) {
+    const TagF d;
+    const RowPlane s(planes_[0], y), t(planes_[1], y), q(planes_[3], y);
+    for (; groups != 0; groups &= groups - 1) {
+      const int first = std::countr_zero(groups) * kGroup;
+      for (int i = first; i < first + kGroup; i += kGroup / 2) {
+        const VecF xs = hn::Load(d, x + i);
+        VecF ss = s.at(xs), tt = t.at(xs);
+        if (!q_is_one_) {  // a division by one changes nothing
+          const VecF reciprocal_q =
+              q_is_inv_w_ ? hn::Load(d, w + i) : hn::Div(hn::Set(d, 1.0f), q.at(xs));
+          ss = hn::Mul(ss, reciprocal_q);
+          tt = hn::Mul(tt, reciprocal_q);
+        }
+        hn::Store(ss, d, at_.s + i);
+        hn::Store(tt, d, at_.t + i);
+      }
+    }
+  }
+
+  HWY_INLINE void sample_key(int key, uint32_t groups, RowColours& out) const {
+    const SampleState& state = unit_->sample;
+    sampler_[key & 1](state.levels[state.first_level + (key >> 1)], at_, groups, out);
+  }
+
+  // Levels and filters that follow each quad's level of detail. Most rows have one.
+  HWY_INLINE void sample_levels(uint32_t groups) {
+    const int key = levels_.first_key(std::countr_zero(groups));
+    uint32_t same = 0, between = 0;
+    for_each_group(groups, [&](int group) HWY_ATTR {
+      if (levels_.is_one_key(group, key)) same |= 1u << group;
+      if (!hn::AllFalse(TagI(), levels_.between_levels(group))) between |= 1u << group;
+    });
+    if (same != 0) sample_key(key, same, colours_);
+    if ((same & between) != 0) sample_key(key + 2, same & between, next_);
+    for_each_group(groups & ~same, [&](int group) HWY_ATTR {
+      const VecI keys = levels_.keys(group);
+      sample_keys(group, 0, hn::Eq(keys, keys), colours_);
+      sample_keys(group, 2, levels_.between_levels(group), next_);
+    });
+    for_each_group(between, [&](int group) HWY_ATTR {
+      const Vec16 weight = hn::ShiftLeft<7>(QuadLevels::spread(levels_.weights(group)));
+      Colour16 c = colours_.load(group);
+      const Colour16 next = next_.load(group);
+      for (int i = 0; i < 4; ++i) c.channel[i] = lerp_8(weight, c.channel[i], next.channel[i]);
+      colours_.store(c, group);
+    });
+  }
+
+  // One pass for each distinct key of the wanted quads. What is not wanted is left as anything.
+  HWY_NOINLINE void sample_keys(int group, int step, MaskI wanted, RowColours& out) const {
+    const TagI d;
+    const VecI keys = levels_.keys(group);
+    HWY_ALIGN int32_t key_of[kGroup / 2];
+    hn::Store(keys, d, key_of);
+    Colour16 result = out.load(group);
+    for (intptr_t i = hn::FindFirstTrue(d, wanted); i >= 0; i = hn::FindFirstTrue(d, wanted)) {
+      sample_key(key_of[i] + step, 1u << group, out);
+      const Colour16 colour = out.load(group);
+      const MaskI mine = hn::Eq(keys, hn::Set(d, key_of[i]));
+      const auto pixels = hn::MaskFromVec(QuadLevels::spread(hn::VecFromMask(d, mine)));
+      for (int c = 0; c < 4; ++c) {
+        result.channel[c] = hn::IfThenElse(pixels, colour.channel[c], result.channel[c]);
+      }
+      wanted = hn::AndNot(mine, wanted);
+    }
+    out.store(result, group);
   }
 
   // Through the program's sample function, on a batch of one group.
-  HWY_NOINLINE Colour16 sample_any(int column, const Pair<VecF>& s, const Pair<VecF>& t) {
-    const TagF d;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(TagF()));
-    batch_.count = 2 * kLanes;
-    hn::Store(s.lower, d, batch_.s);
-    hn::Store(s.upper, d, batch_.s + kLanes);
-    hn::Store(t.lower, d, batch_.t);
-    hn::Store(t.upper, d, batch_.t + kLanes);
-    if (unit_.sample.needs_lod) {
-      for (int i = 0; i < batch_.count; ++i) {
-        batch_.offset[i] = static_cast<uint16_t>(row_ * kTileWidth + column + i);
+  HWY_NOINLINE void sample_any(int row, int group, FragmentBatch& batch) {
+    const int column = group * kGroup;
+    batch.count = kGroup;
+    std::copy_n(at_.s + column, kGroup, batch.s);
+    std::copy_n(at_.t + column, kGroup, batch.t);
+    if (unit_->sample.needs_lod) {
+      for (int i = 0; i < kGroup; ++i) {
+        batch.offset[i] = static_cast<uint16_t>(row * kTileWidth + column + i);
       }
-      level_of_detail(planes_, planes_.texture[index_], unit_.sample, tile_, batch_);
+      level_of_detail(*primitive_, planes_, unit_->sample, *tile_, batch);
     }
-    unit_.sample_function(unit_.sample, batch_, index_);
-    const TagI di;
+    unit_->sample_function(unit_->sample, batch, index_);
+    const TagI d;
     const hn::Rebind<int16_t, TagI> half;
-    Colour16 result;
-    for (int c = 0; c < 4; ++c) {
-      const int16_t* values = batch_.texture[index_][c];
-      result.channel[c] = narrow({hn::PromoteTo(di, hn::Load(half, values)),
-                                  hn::PromoteTo(di, hn::Load(half, values + kLanes))});
+    Colour16 c;
+    for (int i = 0; i < 4; ++i) {
+      const int16_t* values = batch.texture[index_][i];
+      c.channel[i] = narrow({hn::PromoteTo(d, hn::Load(half, values)),
+                             hn::PromoteTo(d, hn::Load(half, values + kGroup / 2))});
     }
-    return result;
+    colours_.store(c, group);
   }
 
-  const UnitProgram& unit_;
-  const PrimitivePlanes& planes_;
-  const Tile& tile_;
-  const int index_;
-  bool q_is_one_, q_is_inv_w_;
-  int row_ = 0;
-  RowPlane s_, t_, q_;
-  std::conditional_t<kSampler == FusedSampler::kAny, FragmentBatch, char> batch_;
+  const UnitProgram* unit_;
+  const PrimitivePlanes* primitive_;
+  const Plane* planes_;
+  const Tile* tile_;
+  int index_;
+  bool q_is_one_, q_is_inv_w_, has_levels_;
+  RowSampler sampler_[2];  // of the minification and the magnification filter
+  RowCoordinates at_;
+  RowColours colours_;  // 8-bit values, but of sample_any's
+  RowColours next_;     // those of the next level
+  QuadLevels levels_;
 };
+
+// 3.7.12 for MODULATE and REPLACE of the unit's own texture.
+HWY_INLINE void apply_simple_environment(const Combiner& combiner, const Colour16& texture,
+                                         Colour16& colour) {
+  for (int c = 0; c < 4; ++c) {
+    if ((c < 3 ? combiner.rgb : combiner.alpha) == Combine::kModulate) {
+      colour.channel[c] = combine<Combine::kModulate>(Tag16(), texture.channel[c],
+                                                      colour.channel[c], colour.channel[c]);
+    } else if (c < 3 || combiner.alpha_argument[0].source != CombineSource::kPrevious) {
+      colour.channel[c] = texture.channel[c];
+    }
+  }
+}
 
 #endif  // HWY_TARGET != HWY_SCALAR
 

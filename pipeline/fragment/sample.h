@@ -18,6 +18,21 @@ struct SampleLevel {
 // of a level, counted from the first that is used, plus 1 for the magnification filter.
 inline constexpr int kFaceKey = 2 * kMaxLevels;
 
+// A wrap mode, with REPEAT told apart by the size of the base level: powers of two wrap by a mask
+// after scaling, other sizes by the fraction of the coordinate before it.
+enum class WrapKind : uint8_t { kRepeatPowerOfTwo, kRepeatOther, kClampToEdge, kMirroredRepeat };
+
+inline WrapKind wrap_kind(Wrap wrap, int size) {
+  switch (wrap) {
+    case Wrap::kRepeat:
+      return (size & (size - 1)) == 0 ? WrapKind::kRepeatPowerOfTwo : WrapKind::kRepeatOther;
+    case Wrap::kClampToEdge:
+      return WrapKind::kClampToEdge;
+    default:
+      return WrapKind::kMirroredRepeat;
+  }
+}
+
 struct SampleState {
   SampleLevel levels[kMaxLevels];
   std::vector<SampleLevel> other_faces;  // of a cube map: the levels from that of -x on

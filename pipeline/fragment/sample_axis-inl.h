@@ -31,21 +31,6 @@ using TagInt = hn::RebindToSigned<TagFloat>;
 using VecFloat = hn::Vec<TagFloat>;
 using VecInt = hn::Vec<TagInt>;
 
-// A wrap mode, with REPEAT told apart by the size of the base level: powers of two wrap by a mask
-// after scaling, other sizes by the fraction of the coordinate before it.
-enum class WrapKind { kRepeatPowerOfTwo, kRepeatOther, kClampToEdge, kMirroredRepeat };
-
-HWY_INLINE WrapKind wrap_kind(Wrap wrap, int size) {
-  switch (wrap) {
-    case Wrap::kRepeat:
-      return (size & (size - 1)) == 0 ? WrapKind::kRepeatPowerOfTwo : WrapKind::kRepeatOther;
-    case Wrap::kClampToEdge:
-      return WrapKind::kClampToEdge;
-    default:
-      return WrapKind::kMirroredRepeat;
-  }
-}
-
 // The two texels of an axis and the weight of the second.
 struct LinearAxis {
   VecInt first, second, weight;

@@ -172,7 +172,7 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
-    program->fused = select_fused(*program);
+    select_fused(*program);
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   return program;

@@ -86,6 +86,38 @@ inline int quad_row(const Tile& tile, int y) {
   return last - ((last - y) & ~1);
 }
 
+// The footprint of a quad in a level: the derivatives of (s, t) along x and y, and the squares of
+// their lengths in texels.
+template <class V>
+struct Footprint {
+  V s_x, t_x, s_y, t_y;
+  V along_x, along_y;
+};
+
+// Of the quads whose corners have their centres at (x, y).
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Footprint<V> quad_footprint(D d, const Plane* planes, const SampleLevel& level,
+                                       const Tile& tile, V x, V y) {
+  const V width = hn::Set(d, static_cast<float>(level.width));
+  const V height = hn::Set(d, static_cast<float>(level.height));
+  const V next_row = hn::Set(d, tile.mirror_height == 0 ? 1.0f : -1.0f);
+  V s0, t0, s1, t1, s2, t2;
+  coordinate_at(d, planes, x, y, s0, t0);
+  coordinate_at(d, planes, hn::Add(x, hn::Set(d, 1.0f)), y, s1, t1);
+  coordinate_at(d, planes, x, hn::Add(y, next_row), s2, t2);
+  Footprint<V> f{hn::Sub(s1, s0), hn::Sub(t1, t0), hn::Sub(s2, s0), hn::Sub(t2, t0), {}, {}};
+  f.along_x = length_squared(hn::Mul(f.s_x, width), hn::Mul(f.t_x, height));
+  f.along_y = length_squared(hn::Mul(f.s_y, width), hn::Mul(f.t_y, height));
+  return f;
+}
+
+// Without anisotropic filtering.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V level_of_detail(D d, const Footprint<V>& f) {
+  const auto x_is_longer = hn::Gt(f.along_x, f.along_y);
+  return half_log2(d, positive_number(d, hn::IfThenElse(x_is_longer, f.along_x, f.along_y)));
+}
+
 // The level of detail into batch.lod, and what anisotropic filtering needs.
 inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* planes,
                             const SampleState& sample, const Tile& tile, FragmentBatch& batch) {
@@ -93,9 +125,6 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
   const hn::RebindToSigned<decltype(d)> di;
   using V = hn::Vec<decltype(d)>;
   const SampleLevel& level = sample.levels[sample.first_level];
-  const V width = hn::Set(d, static_cast<float>(level.width));
-  const V height = hn::Set(d, static_cast<float>(level.height));
-  const V one = hn::Set(d, 1.0f);
   alignas(64) int32_t column[kBatchSize], row[kBatchSize];
   for (int i = 0; i < batch.count; ++i) {
     column[i] = tile.x + (batch.offset[i] % kTileWidth & ~1);
@@ -103,31 +132,23 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
   }
   const V to_x = hn::Set(d, 0.5f - primitive.x_ref);
   const V to_y = hn::Set(d, 0.5f - primitive.y_ref);
-  const V next_row = hn::Set(d, tile.mirror_height == 0 ? 1.0f : -1.0f);
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V x = hn::Add(hn::ConvertTo(d, hn::Load(di, column + i)), to_x);
     const V y = hn::Add(hn::ConvertTo(d, hn::Load(di, row + i)), to_y);
-    V s0, t0, s1, t1, s2, t2;
-    coordinate_at(d, planes, x, y, s0, t0);
-    coordinate_at(d, planes, hn::Add(x, one), y, s1, t1);
-    coordinate_at(d, planes, x, hn::Add(y, next_row), s2, t2);
-    const V along_x =
-        length_squared(hn::Mul(hn::Sub(s1, s0), width), hn::Mul(hn::Sub(t1, t0), height));
-    const V along_y =
-        length_squared(hn::Mul(hn::Sub(s2, s0), width), hn::Mul(hn::Sub(t2, t0), height));
-    const auto x_is_longer = hn::Gt(along_x, along_y);
-    V rho_squared = positive_number(d, hn::IfThenElse(x_is_longer, along_x, along_y));
-    if (sample.sampler.max_anisotropy > 1) {
-      const V shorter = hn::IfThenElse(x_is_longer, along_y, along_x);
-      const V probes =
-          probe_count(d, rho_squared, shorter, hn::Set(d, sample.sampler.max_anisotropy));
-      hn::Store(probes, d, batch.probes + i);
-      hn::Store(hn::IfThenElse(x_is_longer, hn::Sub(s1, s0), hn::Sub(s2, s0)), d,
-                batch.along_s + i);
-      hn::Store(hn::IfThenElse(x_is_longer, hn::Sub(t1, t0), hn::Sub(t2, t0)), d,
-                batch.along_t + i);
-      rho_squared = positive_number(d, hn::Div(rho_squared, hn::Mul(probes, probes)));
+    const Footprint<V> f = quad_footprint(d, planes, level, tile, x, y);
+    if (sample.sampler.max_anisotropy <= 1) {
+      hn::Store(level_of_detail(d, f), d, batch.lod + i);
+      continue;
     }
+    const auto x_is_longer = hn::Gt(f.along_x, f.along_y);
+    V rho_squared = positive_number(d, hn::IfThenElse(x_is_longer, f.along_x, f.along_y));
+    const V shorter = hn::IfThenElse(x_is_longer, f.along_y, f.along_x);
+    const V probes =
+        probe_count(d, rho_squared, shorter, hn::Set(d, sample.sampler.max_anisotropy));
+    hn::Store(probes, d, batch.probes + i);
+    hn::Store(hn::IfThenElse(x_is_longer, f.s_x, f.s_y), d, batch.along_s + i);
+    hn::Store(hn::IfThenElse(x_is_longer, f.t_x, f.t_y), d, batch.along_t + i);
+    rho_squared = positive_number(d, hn::Div(rho_squared, hn::Mul(probes, probes)));
     hn::Store(half_log2(d, rho_squared), d, batch.lod + i);
   }
 }

@@ -58,18 +58,23 @@ inline void blend_stage(const BlendState& state, FragmentBatch& batch) {
 }
 
 // Table 4.6, as the disjunction of the four minterms that the operation's truth table selects.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V logic_op(D d, LogicOp op, V s, V t) {
+  const uint8_t truth = static_cast<uint8_t>(op);  // the value is its truth table
+  const auto selected = [&](int bit)
+                            HWY_ATTR { return hn::Set(d, (truth >> bit & 1) != 0 ? ~0u : 0u); };
+  V result = hn::And(hn::And(s, t), selected(0));
+  result = hn::Or(result, hn::And(hn::AndNot(t, s), selected(1)));
+  result = hn::Or(result, hn::And(hn::AndNot(s, t), selected(2)));
+  return hn::Or(result, hn::AndNot(hn::Or(s, t), selected(3)));
+}
+
 inline void logic_op_stage(LogicOp op, FragmentBatch& batch) {
   const hn::ScalableTag<uint32_t> d;
-  const uint8_t truth = static_cast<uint8_t>(op);  // the value is its truth table
-  const auto selected = [&](int bit) { return hn::Set(d, (truth >> bit & 1) != 0 ? ~0u : 0u); };
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const auto s = hn::Load(d, batch.colour + i);
     const auto t = hn::Load(d, batch.stored_colour + i);
-    auto result = hn::And(hn::And(s, t), selected(0));
-    result = hn::Or(result, hn::And(hn::AndNot(t, s), selected(1)));
-    result = hn::Or(result, hn::And(hn::AndNot(s, t), selected(2)));
-    result = hn::Or(result, hn::AndNot(hn::Or(s, t), selected(3)));
-    hn::Store(result, d, batch.colour + i);
+    hn::Store(logic_op(d, op, s, t), d, batch.colour + i);
   }
 }
 

@@ -1,0 +1,191 @@
+// The fused loop against the chain: the same bits in colour and depth/stencil for random states,
+// planes and coverages.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+#include <string_view>
+
+#include "pipeline/fragment/chain.h"
+#include "pipeline/fragment/own_tile.h"
+#include "pipeline/fragment/program.h"
+#include "pipeline/simd.h"
+
+namespace clearpipe::pipeline {
+namespace {
+
+class Fused : public ::testing::TestWithParam<int> {
+ protected:
+  int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+  bool chance(int in) { return below(in) == 0; }
+  float number(float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random_);
+  }
+  template <class E>
+  E any(int count) {
+    return static_cast<E>(below(count));
+  }
+
+  ImageRef image() {
+    // Powers of two and others, down to one texel.
+    static constexpr int kSizes[] = {1, 2, 3, 5, 8, 16, 30, 64, 100};
+    int width = kSizes[below(9)], height = kSizes[below(9)];
+    auto made = std::make_shared<Image>();
+    for (bool last = false; !last;) {
+      last = width == 1 && height == 1;
+      ImageLevel level{width, height, Texels(static_cast<size_t>(width) * size_t(height))};
+      for (uint32_t& texel : level.texels) texel = static_cast<uint32_t>(random_());
+      made->levels.push_back(std::move(level));
+      width = std::max(width / 2, 1);
+      height = std::max(height / 2, 1);
+    }
+    return made;
+  }
+
+  CombineArgument argument(bool alpha, uint8_t enabled) {
+    CombineArgument a;
+    do {
+      a.source = any<CombineSource>(11);
+    } while (static_cast<int>(a.source) < 8 && (enabled >> static_cast<int>(a.source) & 1) == 0);
+    a.operand = alpha ? (chance(2) ? CombineOperand::kAlpha : CombineOperand::kOneMinusAlpha)
+                      : any<CombineOperand>(4);
+    return a;
+  }
+
+  void combiner(int unit, uint8_t enabled, Combiner& c) {
+    const auto texture = static_cast<CombineSource>(unit);
+    if (chance(2)) {  // MODULATE or REPLACE
+      c.rgb = chance(2) ? Combine::kModulate : Combine::kReplace;
+      c.alpha = chance(2) ? Combine::kModulate : Combine::kReplace;
+      c.rgb_argument[c.rgb == Combine::kModulate] = {texture, CombineOperand::kColour};
+      c.alpha_argument[c.alpha == Combine::kModulate] = {texture, CombineOperand::kAlpha};
+      if (c.alpha == Combine::kModulate) c.alpha_argument[0].operand = CombineOperand::kAlpha;
+      return;
+    }
+    c.rgb = any<Combine>(9);
+    c.alpha = any<Combine>(7);
+    for (CombineArgument& a : c.rgb_argument) a = argument(false, enabled);
+    for (CombineArgument& a : c.alpha_argument) a = argument(true, enabled);
+    c.rgb_scale_log2 = static_cast<uint8_t>(below(3));
+    c.alpha_scale_log2 = static_cast<uint8_t>(below(3));
+  }
+
+  void texture_units(FragmentState& state) {
+    const uint8_t enabled = static_cast<uint8_t>(chance(3) ? 0 : chance(2) ? 1 : below(16));
+    for (int u = 0; u < 4; ++u) {
+      if ((enabled >> u & 1) == 0) continue;
+      TextureUnit& unit = state.unit[static_cast<size_t>(u)];
+      unit.enabled = true;
+      unit.image = image();
+      unit.sampler.wrap_s = any<Wrap>(chance(4) ? 3 : 2);
+      unit.sampler.wrap_t = any<Wrap>(chance(4) ? 3 : 2);
+      unit.sampler.min = any<Filter>(2);
+      unit.sampler.mag = any<Filter>(2);
+      unit.sampler.mip = any<MipFilter>(3);
+      unit.sampler.max_level = static_cast<int>(unit.image->levels.size()) - 1;
+      unit.sampler.lod_bias = chance(3) ? number(-2, 2) : 0.0f;
+      unit.sampler.max_anisotropy = chance(6) ? 4.0f : 1.0f;
+      unit.constant = {number(0, 1), number(0, 1), number(0, 1), number(0, 1)};
+      combiner(u, enabled, unit.combiner);
+    }
+  }
+
+  FragmentState state() {
+    FragmentState s;
+    texture_units(s);
+    s.fog = chance(3) ? any<FogMode>(4) : FogMode::kNone;
+    s.fog_colour = {number(0, 1), number(0, 1), number(0, 1), 1};
+    s.alpha_test = chance(4);
+    s.alpha_func = any<CompareFunc>(8);
+    s.alpha_reference = number(0, 1);
+    s.depth_test = chance(2);
+    s.depth_write = !chance(4);
+    s.depth_func = any<CompareFunc>(8);
+    s.stencil.enabled = chance(4);
+    s.stencil.func = any<CompareFunc>(8);
+    s.stencil.reference = static_cast<uint8_t>(below(256));
+    s.stencil.value_mask = static_cast<uint8_t>(below(256));
+    s.stencil.write_mask = static_cast<uint8_t>(below(256));
+    s.stencil.fail = any<StencilOp>(8);
+    s.stencil.depth_fail = any<StencilOp>(8);
+    s.stencil.pass = any<StencilOp>(8);
+    s.blend.enabled = chance(2);
+    s.blend.src_rgb = any<BlendFactor>(11);
+    s.blend.dst_rgb = any<BlendFactor>(11);
+    s.blend.src_alpha = any<BlendFactor>(11);
+    s.blend.dst_alpha = any<BlendFactor>(11);
+    s.blend.rgb = any<BlendEquation>(5);
+    s.blend.alpha = any<BlendEquation>(5);
+    s.logic_op_enabled = chance(6);
+    s.logic_op = any<LogicOp>(16);
+    s.colour_mask = static_cast<uint8_t>(chance(4) ? below(16) : 15);
+    return s;
+  }
+
+  Plane plane(float value, float step) {
+    return {number(-value, value), number(-step, step), number(-step, step)};
+  }
+
+  PrimitivePlanes planes() {
+    PrimitivePlanes p;
+    p.x_ref = number(0, 100);
+    p.y_ref = number(0, 100);
+    p.perspective = chance(2);
+    p.flat_colour = chance(3);
+    p.depth = plane(0.5f, 0.01f);
+    p.inv_w = {number(1, 2), number(-0.004f, 0.004f), number(-0.004f, 0.004f)};
+    p.fog = plane(1, 0.02f);
+    for (Plane& c : p.colour) {
+      c = p.flat_colour ? Plane{number(0, kColourOne), 0, 0} : plane(9000, 200);
+    }
+    const float step = chance(3) ? 0.2f : 0.02f;
+    for (auto& unit : p.texture) {
+      for (Plane& c : unit) c = plane(2, step);
+      if (chance(5)) unit[0] = plane(chance(2) ? 1e30f : 4e6f, 1e4f);
+      unit[3] = chance(2) ? Plane{1, 0, 0} : p.perspective ? p.inv_w : plane(3, 0.02f);
+    }
+    return p;
+  }
+
+  std::mt19937 random_{static_cast<unsigned>(GetParam())};
+};
+
+TEST_P(Fused, GivesTheBitsOfTheChain) {
+  const FragmentState s = state();
+  const std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program(
+      make_fragment_program(s, {true, true}, FragmentCoverage::kCentre), destroy_fragment_program);
+  const bool one_lane = std::string_view(simd_target_name()) == "SCALAR";
+  ASSERT_EQ(program->fused == nullptr, one_lane);
+  for (int round = 0; round < 3; ++round) {
+    const PrimitivePlanes p = planes();
+    Coverage coverage{};
+    coverage.first_row = below(8);
+    coverage.last_row = coverage.first_row + 1 + below(kTileHeight - coverage.first_row);
+    for (uint64_t& row : coverage.rows) {
+      const uint64_t noise = random_() | static_cast<uint64_t>(random_()) << 32;
+      row = chance(2) ? ~uint64_t{0} : chance(2) ? noise : noise & 0xffff0000u;
+    }
+    auto fused = std::make_unique<OwnTile>();
+    fused->x = 64 * below(4);
+    fused->y = 32 * below(4);
+    fused->mirror_height = chance(2) ? 200 : 0;
+    for (int i = 0; i < kTilePixels; ++i) {
+      fused->colour[i] = static_cast<uint32_t>(random_());
+      fused->depth_stencil[i] = static_cast<uint32_t>(random_());
+    }
+    auto chain = std::make_unique<OwnTile>(*fused);
+    shade(*program, p, coverage, *fused);
+    run_chain(*program, p, coverage, *chain);
+    for (int i = 0; i < kTilePixels; ++i) {
+      ASSERT_EQ(fused->colour[i], chain->colour[i]) << "pixel " << i % 64 << ", " << i / 64;
+      ASSERT_EQ(fused->depth_stencil[i], chain->depth_stencil[i])
+          << "pixel " << i % 64 << ", " << i / 64;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Fused, ::testing::Range(0, 2000));
+
+}  // namespace
+}  // namespace clearpipe::pipeline
