@@ -67,7 +67,7 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   const int samples = planes.samples();
   Coverage coverage[kSampleCount];
   if (!cover(primitive, planes, coverage)) return;
-  const DrawRecord& draw = draws[primitive.draw];
+  const DrawState& draw = *draws[primitive.draw].state;
   planes.prepare(draw.outputs,
                  draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
   PrimitivePlanes attributes;
@@ -90,7 +90,7 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
       ++at;
     } else {
       const SmallPrimitive& small = packet.small[index & ~kSmallEntry];
-      planes.prepare(draws[packet.ranges[small.range].draw].outputs, false);
+      planes.prepare(draws[packet.ranges[small.range].draw].state->outputs, false);
       at += worker.small.add(draws, packet, entries.subspan(at), worker.tiles.tiles[0]);
     }
   }

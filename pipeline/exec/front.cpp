@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
+#include "pipeline/exec/corners.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/setup/triangles.h"
 
@@ -28,110 +30,42 @@ uint32_t primitive_count(Primitive primitive, uint32_t count) {
   return 0;
 }
 
-namespace {
-
-// The vertices of primitive `p`, numbered as the draw names them (2.6.1). The last is provoking;
-// odd triangles of a strip exchange the first two, so that all have the strip's winding.
-template <Primitive kPrimitive>
-void primitive_vertices(uint32_t p, uint32_t count, uint32_t out[3]) {
-  if constexpr (kPrimitive == Primitive::kPoints) {
-    out[0] = p;
-  } else if constexpr (kPrimitive == Primitive::kLines) {
-    out[0] = 2 * p;
-    out[1] = 2 * p + 1;
-  } else if constexpr (kPrimitive == Primitive::kLineLoop) {
-    out[0] = p;
-    out[1] = p + 1 == count ? 0 : p + 1;
-  } else if constexpr (kPrimitive == Primitive::kLineStrip) {
-    out[0] = p;
-    out[1] = p + 1;
-  } else if constexpr (kPrimitive == Primitive::kTriangles) {
-    out[0] = 3 * p;
-    out[1] = 3 * p + 1;
-    out[2] = 3 * p + 2;
-  } else if constexpr (kPrimitive == Primitive::kTriangleStrip) {
-    out[0] = p + (p & 1);
-    out[1] = p + 1 - (p & 1);
-    out[2] = p + 2;
-  } else {
-    out[0] = 0;
-    out[1] = p + 1;
-    out[2] = p + 2;
-  }
-}
-
-int corner_count(Primitive primitive) {
+uint32_t corners_of(Primitive primitive) {
   switch (primitive) {
     case Primitive::kPoints:
       return 1;
     case Primitive::kLines:
-    case Primitive::kLineLoop:
-    case Primitive::kLineStrip:
       return 2;
-    default:
+    case Primitive::kTriangles:
       return 3;
+    default:
+      return 0;
   }
 }
 
-// Calls f(corner, primitive of the range, element) for each corner of a range, in order.
-template <Primitive kPrimitive, class ElementOf, class F>
-void for_each_corner_of(const DrawRecord& draw, const PacketRange& range,
-                        const ElementOf& element_of, const F& f) {
-  const int corners = corner_count(kPrimitive);
-  for (uint32_t i = 0; i < range.primitive_count; ++i) {
-    uint32_t vertex[3];
-    primitive_vertices<kPrimitive>(range.first_primitive + i, draw.command.count, vertex);
-    for (int k = 0; k < corners; ++k) f(k, i, element_of(vertex[k]));
-  }
+namespace {
+
+// Whether the vertices of both draws can come out of one vertex job.
+bool share_job(const DrawRecord& a, const DrawRecord& b) {
+  return a.shared == nullptr && b.shared == nullptr && a.sources == b.sources &&
+         a.state->vertex_group == b.state->vertex_group;
 }
 
-template <class ElementOf, class F>
-void for_each_corner_with(const DrawRecord& draw, const PacketRange& range,
-                          const ElementOf& element_of, const F& f) {
-  switch (draw.command.primitive) {
-#define FOR_EACH_CORNER(primitive) \
-  case Primitive::primitive:       \
-    return for_each_corner_of<Primitive::primitive>(draw, range, element_of, f);
-    FOR_EACH_CORNER(kPoints)
-    FOR_EACH_CORNER(kLines)
-    FOR_EACH_CORNER(kLineLoop)
-    FOR_EACH_CORNER(kLineStrip)
-    FOR_EACH_CORNER(kTriangles)
-    FOR_EACH_CORNER(kTriangleStrip)
-    FOR_EACH_CORNER(kTriangleFan)
-#undef FOR_EACH_CORNER
-  }
-}
-
-template <class Index>
-auto indexed_elements(const DrawRecord& draw) {
-  return [indices = draw.command.indices, base = draw.index_base](uint32_t vertex) {
-    Index value;
-    std::memcpy(&value, indices + sizeof(Index) * size_t{vertex}, sizeof(value));
-    return value - base;
-  };
-}
-
-template <class F>
-void for_each_corner(const DrawRecord& draw, const PacketRange& range, const F& f) {
-  switch (draw.command.index_type) {
-    case IndexType::kNone: {
-      const uint32_t first = draw.command.first - draw.index_base;
-      return for_each_corner_with(
-          draw, range, [first](uint32_t v) { return first + v; }, f);
-    }
-    case IndexType::kUnsignedByte:
-      return for_each_corner_with(draw, range, indexed_elements<uint8_t>(draw), f);
-    case IndexType::kUnsignedShort:
-      return for_each_corner_with(draw, range, indexed_elements<uint16_t>(draw), f);
-    case IndexType::kUnsignedInt:
-      return for_each_corner_with(draw, range, indexed_elements<uint32_t>(draw), f);
+bool setup_primitive(const SetupState& state, int corners, const float* const* v,
+                     PrimitiveRecord& out) {
+  switch (corners) {
+    case 1:
+      return setup_point(state, v[0], out);
+    case 2:
+      return setup_line(state, v[0], v[1], out);
+    default:
+      return setup_triangle(state, v[0], v[1], v[2], out);
   }
 }
 
 }  // namespace
 
-// The scratch memory of one worker: the elements of the range at hand with a table that finds an
+// The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
  public:
@@ -140,8 +74,13 @@ class FrontWorker {
     packet.primitives.clear();
     packet.small.clear();
     packet.records.clear();
-    for (const PacketRange& range : packet.ranges) {
-      run_range(draws[range.draw], range, packet);
+    const std::vector<PacketRange>& ranges = packet.ranges;
+    for (size_t first = 0; first < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[first].draw];
+      size_t end = first + 1;
+      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw])) ++end;
+      run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
+      first = end;
     }
     packet.bins.close();
   }
@@ -166,61 +105,108 @@ class FrontWorker {
     return static_cast<uint16_t>(element_count_++);
   }
 
-  void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
-    ++generation_;
-    element_count_ = 0;
-    const int corners = corner_count(draw.command.primitive);
-    for_each_corner(draw, range, [this](int corner, uint32_t primitive, uint32_t element) {
-      triangles_.corner[corner][primitive] = local_vertex(element);
-    });
-    const int stride = draw.setup.layout.stride;
-    float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
-    VertexJob job;
-    job.draw = &draw.command;
-    job.state = draw.vertex;
-    job.viewport = draw.clip.viewport;
-    job.guard = draw.clip.guard;
-    job.layout = draw.setup.layout;
-    job.elements = elements_.data();
-    job.count = element_count_;
-    job.records = records;
-    run_vertex_stages(job);
-    packet.records.push_back(records);
-
-    draws_small_ = draws_small(draw);
-    if (corners == 3 && draws_small_) {
-      emit_triangles(draw, range, records, packet);
-      return;
-    }
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      emit_corners(draw, range.draw, corners, records, i, packet);
+  // Lists the elements of a range, and of each corner of its primitives which of them it is; the
+  // first primitive is number `first` of the job.
+  void list_elements(const DrawRecord& draw, const PacketRange& range, uint32_t first) {
+    const bool apart = draw.index_type == IndexType::kNone && corners_of(draw.primitive) != 0;
+    if (apart) {  // each vertex belongs to one primitive
+      for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+        elements_[element_count_] = element;
+        triangles_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
+      });
+    } else {
+      for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+        triangles_.corner[k][first + i] = local_vertex(element);
+      });
     }
   }
 
-  // Triangles that are settled many at once, and the others.
-  void emit_triangles(const DrawRecord& draw, const PacketRange& range, const float* records,
-                      Packet& packet) {
-    for (auto& corner : triangles_.corner) {
-      std::fill_n(corner.begin() + range.primitive_count, kTriangleLanes, 0);
+  // The same of a range whose draw has records of its own.
+  void list_shared(const DrawRecord& draw, const PacketRange& range) {
+    const uint32_t first = draw.first_shared;
+    for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+      triangles_.corner[k][i] = static_cast<int32_t>(element - first);
+    });
+  }
+
+  // Ranges of draws whose vertices come out of one job.
+  void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+                  Packet& packet) {
+    const DrawRecord& draw = draws[ranges[0].draw];
+    if (draw.shared != nullptr) {
+      list_shared(draw, ranges[0]);
+      records_ = draw.shared;
+    } else {
+      ++generation_;
+      element_count_ = 0;
+      uint32_t count = 0;
+      for (const PacketRange& range : ranges) {
+        list_elements(draws[range.draw], range, count);
+        count += range.primitive_count;
+      }
+      float* records =
+          arena_.allocate_array<float>(size_t{draw.state->clip.layout.stride} * element_count_);
+      run_vertex_stages(make_vertex_job(draw, elements_.data(), element_count_, records));
+      records_ = records;
     }
+    emit(draws, ranges, packet);
+  }
+
+  // Primitives from the records of their vertices; ranges of triangles whose draws have one state
+  // are set up together.
+  void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+            Packet& packet) {
+    uint32_t first = 0;
+    for (size_t r = 0; r < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[r].draw];
+      const int corners = corner_count(draw.primitive);
+      draws_small_ = draws_small(draw);
+      if (corners == 3 && draws_small_) {
+        size_t end = r;
+        uint32_t count = 0;
+        while (end < ranges.size() && draws[ranges[end].draw].state == draw.state &&
+               corner_count(draws[ranges[end].draw].primitive) == 3) {
+          count += ranges[end++].primitive_count;
+        }
+        set_up_triangles(draw.state->setup, first, count);
+        for (; r < end; first += ranges[r++].primitive_count) {
+          packet.records.push_back(records_);
+          emit_triangles(*draw.state, ranges[r], first, packet);
+        }
+      } else {
+        packet.records.push_back(records_);
+        for (uint32_t i = 0; i < ranges[r].primitive_count; ++i) {
+          emit_corners(*draw.state, ranges[r].draw, corners, first + i, packet);
+        }
+        first += ranges[r++].primitive_count;
+      }
+    }
+  }
+
+  void set_up_triangles(const SetupState& state, uint32_t first, uint32_t count) {
     TriangleJob job;
-    job.records = records;
-    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data();
-    job.count = range.primitive_count;
-    job.fate = triangles_.fate.data();
-    job.x = triangles_.x.data();
-    job.y = triangles_.y.data();
-    job.mask_low = triangles_.mask_low.data();
-    job.mask_high = triangles_.mask_high.data();
-    setup_triangles(draw.setup, job);
+    job.records = records_;
+    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data() + first;
+    job.count = count;
+    job.fate = triangles_.fate.data() + first;
+    job.x = triangles_.x.data() + first;
+    job.y = triangles_.y.data() + first;
+    job.mask_low = triangles_.mask_low.data() + first;
+    job.mask_high = triangles_.mask_high.data() + first;
+    setup_triangles(state, job);
+  }
+
+  // Triangles that are settled many at once, and the others.
+  void emit_triangles(const DrawState& draw, const PacketRange& range, uint32_t first,
+                      Packet& packet) {
     SmallPrimitive small;
     small.size = 0;
     small.kind = PrimitiveKind::kTriangle;
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+    for (uint32_t i = first; i < first + range.primitive_count; ++i) {
       const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
       if (fate == TriangleFate::kNothing) continue;
       if (fate == TriangleFate::kGeneral) {
-        emit_corners(draw, range.draw, 3, records, i, packet);
+        emit_corners(draw, range.draw, 3, i, packet);
         continue;
       }
       small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
@@ -231,13 +217,13 @@ class FrontWorker {
     }
   }
 
-  // Primitive i of the range, one by itself.
-  void emit_corners(const DrawRecord& draw, uint32_t draw_index, int corners, const float* records,
-                    uint32_t i, Packet& packet) {
+  // Primitive i of the job, one by itself.
+  void emit_corners(const DrawState& draw, uint32_t draw_index, int corners, uint32_t i,
+                    Packet& packet) {
     const float* v[3] = {};
     uint32_t any = 0, all = ~0u;
     for (int k = 0; k < corners; ++k) {
-      v[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.setup.layout.stride;
+      v[k] = records_ + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.clip.layout.stride;
       uint32_t outcode;
       std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
       any |= outcode;
@@ -248,7 +234,7 @@ class FrontWorker {
     record.draw = draw_index;
     if (any != 0) {
       clip(draw, corners, v, any, record, packet);
-    } else if (setup(draw.setup, corners, v, record)) {
+    } else if (setup_primitive(draw.setup, corners, v, record)) {
       SmallPrimitive small;
       if (!draws_small_ || !is_small(record)) {
         add(record, packet);
@@ -258,20 +244,8 @@ class FrontWorker {
     }
   }
 
-  static bool setup(const SetupState& state, int corners, const float* const* v,
-                    PrimitiveRecord& out) {
-    switch (corners) {
-      case 1:
-        return setup_point(state, v[0], out);
-      case 2:
-        return setup_line(state, v[0], v[1], out);
-      default:
-        return setup_triangle(state, v[0], v[1], v[2], out);
-    }
-  }
-
   // A primitive that crosses planes; a point that does is gone.
-  void clip(const DrawRecord& draw, int corners, const float* v[3], uint32_t outcodes,
+  void clip(const DrawState& draw, int corners, const float* v[3], uint32_t outcodes,
             PrimitiveRecord& record, Packet& packet) {
     if (corners == 3) {
       const float* polygon[kMaxClippedCorners];
@@ -293,8 +267,9 @@ class FrontWorker {
     packet.primitives.push_back(record);
   }
 
-  // Primitive i of the range at hand, the last whose records the packet has.
+  // Primitive i of the job, of the last range whose records the packet has.
   void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
+    static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
     for (int k = 0; k < 3; ++k) {
       primitive.vertex[k] = static_cast<uint32_t>(triangles_.corner[k][i]);
     }
@@ -305,9 +280,10 @@ class FrontWorker {
 
   Arena arena_;
   BinScratch bin_scratch_;
-  uint32_t element_count_ = 0;
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
+  uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
+  const float* records_ = nullptr;            // the vertices of the job at hand
   TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};

@@ -33,14 +33,14 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
   const SmallPrimitive* primitives = packet.small.data();
   SmallPlanes planes;
   uint32_t range = ~0u;
-  const DrawRecord* draw = nullptr;
+  const DrawState* draw = nullptr;
   const float* records = nullptr;
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
     if (primitive.range != range) {
       range = primitive.range;
-      const DrawRecord& next = draws[packet.ranges[range].draw];
+      const DrawState& next = *draws[packet.ranges[range].draw].state;
       if (draw != nullptr && next.program != draw->program) break;
       draw = &next;
       records = packet.records[range];
@@ -79,13 +79,14 @@ static const SmallKernels& resolve() {
 }  // namespace exec
 
 bool draws_small(const DrawRecord& draw) {
-  return draw.setup.coverage == FragmentCoverage::kCentre && batches_small(*draw.program);
+  return draw.state->setup.coverage == FragmentCoverage::kCentre &&
+         batches_small(*draw.state->program);
 }
 
 size_t SmallShader::add(const std::vector<DrawRecord>& draws, const Packet& packet,
                         std::span<const uint32_t> entries, Tile& tile) {
   const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];
-  const FragmentProgram* program = draws[packet.ranges[first.range].draw].program;
+  const FragmentProgram* program = draws[packet.ranges[first.range].draw].state->program;
   if (program_ != program) {
     flush();
     program_ = program;

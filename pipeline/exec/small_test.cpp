@@ -92,6 +92,18 @@ FragmentState random_fragment_state(Random& random) {
   return state;
 }
 
+// A program of its own.
+class Program {
+ public:
+  explicit Program(const FragmentState& state = {})
+      : program_(make_fragment_program(state, {true, true}, FragmentCoverage::kCentre),
+                 destroy_fragment_program) {}
+  const FragmentProgram* get() const { return program_.get(); }
+
+ private:
+  std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program_;
+};
+
 struct Mesh {
   Packet packet;
   std::vector<float> records;
@@ -136,7 +148,7 @@ Mesh random_mesh(Random& random, const VertexLayout& layout, bool w_changes) {
 }
 
 // The planes of a small primitive as those of one that is not.
-PrimitivePlanes planes_of(const DrawRecord& draw, const float* records,
+PrimitivePlanes planes_of(const DrawState& draw, const float* records,
                           const SmallPrimitive& primitive) {
   PrimitiveRecord record;
   for (int k = 0; k < 3; ++k) {
@@ -150,7 +162,7 @@ PrimitivePlanes planes_of(const DrawRecord& draw, const float* records,
   return planes;
 }
 
-void shade_one(const DrawRecord& draw, const float* records, const SmallPrimitive& primitive,
+void shade_one(const DrawState& draw, const float* records, const SmallPrimitive& primitive,
                Tile& tile) {
   const SmallCoverage small =
       small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
@@ -174,11 +186,9 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
   for (uint32_t seed = 0; seed < 150; ++seed) {
     Random random(seed);
     const FragmentState state = random_fragment_state(random);
-    ProgramHolder holder;
-    holder.state = state;
-    holder.target.has_depth = holder.target.has_stencil = true;
-    DrawRecord draw;
-    draw.program = holder.program(FragmentCoverage::kCentre);
+    const Program program(state);
+    DrawState draw;
+    draw.program = program.get();
     draw.setup.inputs = fragment_inputs(*draw.program);
     draw.setup.mirror_height = 400;
     VertexState vertex;
@@ -189,7 +199,9 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     draw.setup.raster.flat_shade = random.below(5) == 0;
     draw.setup.raster.offset_fill = random.below(5) == 0;
     draw.setup.raster.offset_factor = 0.5f;
-    if (!draws_small(draw)) continue;
+    std::vector<DrawRecord> draws(1);
+    draws[0].state = &draw;
+    if (!draws_small(draws[0])) continue;
     ++batched;
     const Mesh mesh = random_mesh(random, draw.setup.layout, random.coin());
     OwnTile tile;
@@ -204,7 +216,6 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
       shade_one(draw, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry], expected);
     }
     // In two parts, as if they came from two packets.
-    const std::vector<DrawRecord> draws = {draw};
     const std::span<const uint32_t> entries = mesh.entries;
     ASSERT_EQ(shader->add(draws, mesh.packet, entries.first(30), tile), 30u);
     ASSERT_EQ(shader->add(draws, mesh.packet, entries.subspan(30), tile), entries.size() - 30);
@@ -219,22 +230,24 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
 
 // What is taken at once ends where a primitive is not small, or of a draw with another program.
 TEST(Small, TakesOneProgramAtATime) {
-  ProgramHolder holder, other;
+  const Program program, other;
+  DrawState states[2];
   std::vector<DrawRecord> draws(2);
-  for (DrawRecord& draw : draws) {
-    draw.program = holder.program(FragmentCoverage::kCentre);
-    draw.setup.inputs = fragment_inputs(*draw.program);
-    draw.setup.layout = make_vertex_layout({});
+  for (int i = 0; i < 2; ++i) {
+    states[i].program = program.get();
+    states[i].setup.inputs = fragment_inputs(*program.get());
+    states[i].setup.layout = make_vertex_layout({});
+    draws[i].state = &states[i];
   }
   Random random(1);
-  Mesh mesh = random_mesh(random, draws[0].setup.layout, false);
+  Mesh mesh = random_mesh(random, states[0].setup.layout, false);
   mesh.packet.small[mesh.entries[7] & ~kSmallEntry].range = 1;
   OwnTile tile;
   tile.x = kTileX;
   tile.y = kTileY;
   const auto shader = std::make_unique<SmallShader>();
   EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), mesh.entries.size());
-  draws[1].program = other.program(FragmentCoverage::kCentre);
+  states[1].program = other.get();
   EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), 7u);
   mesh.entries[4] &= ~kSmallEntry;
   EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), 4u);
