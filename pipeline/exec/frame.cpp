@@ -11,6 +11,7 @@
 #include "pipeline/exec/draw_state.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
+#include "pipeline/exec/shared_vertices.h"
 #include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
@@ -33,11 +34,12 @@ struct Frame::Impl {
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
+  SharedVertices shared_vertices;
   TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<SampleTiles>> tiles;
-  std::atomic<size_t> next_packet{0}, next_tile{0};
-  std::atomic<uint32_t> packets_done{0}, tiles_ready{0};
+  std::vector<std::unique_ptr<BackWorker>> back_workers;
+  std::atomic<size_t> next_chunk{0}, next_packet{0}, next_tile{0};
+  std::atomic<uint32_t> chunks_done{0}, packets_done{0}, tiles_ready{0};
   std::atomic<bool> failed{false};
 
   Packet& add_packet() {
@@ -121,6 +123,19 @@ struct Frame::Impl {
     failed = true;
   }
 
+  void run_chunks() {
+    const size_t count = shared_vertices.chunk_count();
+    uint32_t done = 0;
+    for (size_t i = next_chunk.fetch_add(1); i < count; i = next_chunk.fetch_add(1)) {
+      shared_vertices.run(draws, i);
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(count);
+    if (done != 0 && chunks_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      chunks_done.notify_all();
+    }
+  }
+
   void run_packets(int worker) {
     uint32_t done = 0;
     for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
@@ -142,13 +157,15 @@ struct Frame::Impl {
     const size_t count = static_cast<size_t>(grid.count());
     for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
       run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
-               *tiles[worker]);
+               *back_workers[worker]);
     }
   }
 
-  // Both phases, so that a worker wakes up once a frame.
+  // All phases, so that a worker wakes up once a frame.
   static void task(void* context, int worker) {
     Impl& frame = *static_cast<Impl*>(context);
+    frame.run_chunks();
+    wait_until(frame.chunks_done, static_cast<uint32_t>(frame.shared_vertices.chunk_count()));
     frame.run_packets(worker);
     wait_until(frame.tiles_ready, 1);
     frame.run_tiles(worker);
@@ -158,8 +175,8 @@ struct Frame::Impl {
     while (front_workers.size() < count) {
       front_workers.push_back(make_front_worker());
     }
-    while (tiles.size() < count) {
-      tiles.push_back(std::make_unique<SampleTiles>());
+    while (back_workers.size() < count) {
+      back_workers.push_back(std::make_unique<BackWorker>());
     }
   }
 
@@ -179,14 +196,16 @@ struct Frame::Impl {
   }
 
   void execute() {
-    next_packet = next_tile = 0;
-    packets_done = tiles_ready = 0;
+    next_chunk = next_packet = next_tile = 0;
+    chunks_done = packets_done = tiles_ready = 0;
     failed = false;
     make_workers(1);
+    shared_vertices.prepare(draws, arena);
     // A packet is built by one worker anyway.
     const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
     const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
     if (std::count_if(packets.begin(), end, is_draw) <= 1) {
+      run_chunks();
       run_packets(0);
       if (is_little()) {
         run_tiles(0);
