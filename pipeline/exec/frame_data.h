@@ -31,7 +31,8 @@ inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 // What a draw needs besides its vertices; draws share it until state changes.
 struct DrawState {
   const VertexState* vertex = nullptr;
-  // The same number: vertices of the draws come out of one vertex job alike.
+  // The same number: the vertex states differ in their matrices alone, and vertices of the draws
+  // can come out of one vertex job.
   uint32_t vertex_group = 0;
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;

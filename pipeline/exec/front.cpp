@@ -65,6 +65,16 @@ bool setup_primitive(const SetupState& state, int corners, const float* const* v
 
 }  // namespace
 
+// Whether the triangles of two draws with vertices of one job are set up alike.
+bool share_setup(const DrawRecord& a, const DrawRecord& b) {
+  if (b.primitive < Primitive::kTriangles || !draws_small(b)) return false;
+  const SetupState &s = a.state->setup, &t = b.state->setup;
+  if (a.state == b.state) return true;
+  return s.bounds.x0 == t.bounds.x0 && s.bounds.y0 == t.bounds.y0 && s.bounds.x1 == t.bounds.x1 &&
+         s.bounds.y1 == t.bounds.y1 && s.raster.cull == t.raster.cull &&
+         s.raster.front_is_clockwise == t.raster.front_is_clockwise;
+}
+
 // The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
@@ -121,6 +131,19 @@ class FrontWorker {
     }
   }
 
+  // The same, and notes which matrices the elements go with. With others, the same element is
+  // another vertex.
+  void list_run(const DrawRecord& draw, const PacketRange& range, uint32_t first) {
+    const VertexState* matrices = draw.state->vertex;
+    if (run_count_ == 0 || runs_[run_count_ - 1].matrices != matrices) {
+      ++generation_;
+      runs_[run_count_++] = {matrices, 0};
+    }
+    const uint32_t listed = element_count_;
+    list_elements(draw, range, first);
+    runs_[run_count_ - 1].count += element_count_ - listed;
+  }
+
   // The same of a range whose draw has records of its own.
   void list_shared(const DrawRecord& draw, const PacketRange& range) {
     const uint32_t first = draw.first_shared;
@@ -137,23 +160,24 @@ class FrontWorker {
       list_shared(draw, ranges[0]);
       records_ = draw.shared;
     } else {
-      ++generation_;
-      element_count_ = 0;
+      element_count_ = run_count_ = 0;
       uint32_t count = 0;
       for (const PacketRange& range : ranges) {
-        list_elements(draws[range.draw], range, count);
+        list_run(draws[range.draw], range, count);
         count += range.primitive_count;
       }
       float* records =
           arena_.allocate_array<float>(size_t{draw.state->clip.layout.stride} * element_count_);
-      run_vertex_stages(make_vertex_job(draw, elements_.data(), element_count_, records));
+      VertexJob job = make_vertex_job(draw, elements_.data(), element_count_, records);
+      if (run_count_ > 1) job.runs = runs_.data();
+      run_vertex_stages(job);
       records_ = records;
     }
     emit(draws, ranges, packet);
   }
 
-  // Primitives from the records of their vertices; ranges of triangles whose draws have one state
-  // are set up together.
+  // Primitives from the records of their vertices; ranges of triangles whose draws setup cannot
+  // tell apart are set up together.
   void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
             Packet& packet) {
     uint32_t first = 0;
@@ -164,14 +188,13 @@ class FrontWorker {
       if (corners == 3 && draws_small_) {
         size_t end = r;
         uint32_t count = 0;
-        while (end < ranges.size() && draws[ranges[end].draw].state == draw.state &&
-               corner_count(draws[ranges[end].draw].primitive) == 3) {
+        while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
           count += ranges[end++].primitive_count;
         }
         set_up_triangles(draw.state->setup, first, count);
         for (; r < end; first += ranges[r++].primitive_count) {
           packet.records.push_back(records_);
-          emit_triangles(*draw.state, ranges[r], first, packet);
+          emit_triangles(*draws[ranges[r].draw].state, ranges[r], first, packet);
         }
       } else {
         packet.records.push_back(records_);
@@ -283,6 +306,8 @@ class FrontWorker {
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
+  uint32_t run_count_ = 0;
+  std::array<VertexRun, kPacketPrimitives> runs_;
   const float* records_ = nullptr;            // the vertices of the job at hand
   TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
   uint32_t generation_ = 0;

@@ -92,6 +92,46 @@ TEST(SmallDraws, ManyOfThemWithMatrices) {
   EXPECT_EQ(scene.pixel(49, 30), 0u);
 }
 
+// A matrix for each draw, more of them than a batch of vertices holds: all come out of one job.
+TEST(SmallDraws, EachWithAMatrixOfItsOwn) {
+  Scene scene;
+  for (int i = 0; i < 18 * 8; ++i) {
+    scene.vertex.model_view_projection = {};
+    scene.vertex.model_view_projection.m[12] = 2.0f * 8 * static_cast<float>(i % 18) / kWidth;
+    scene.vertex.model_view_projection.m[13] = 2.0f * 8 * static_cast<float>(i / 18) / kHeight;
+    const bool strip = i % 5 == 0;
+    scene.draw(square(0, strip), i % 2 == 0 ? Vec4{1, 0, 0, 1} : Vec4{0, 0, 1, 1},
+               strip ? Primitive::kTriangleStrip : Primitive::kTriangles);
+  }
+  scene.frame.finish();
+  for (int i = 0; i < 18 * 8; ++i) {
+    const int x = 8 * (i % 18), y = 8 * (i / 18);
+    EXPECT_EQ(scene.pixel(x + 1, y + 1), i % 2 == 0 ? kRed : kBlue) << i;
+    EXPECT_EQ(scene.pixel(x + 5, y + 1), 0u) << i;
+  }
+}
+
+TEST(SmallDraws, EachLitWithANormalMatrixOfItsOwn) {
+  Scene scene;
+  scene.vertex.lighting = true;
+  scene.vertex.material.diffuse = {0, 1, 0, 1};
+  Light& light = scene.vertex.lights[2];
+  light.enabled = true;
+  light.diffuse = {1, 1, 1, 1};
+  light.position = {0, 0, 1, 0};
+  light.half_vector = {0, 0, 1, 0};
+  for (int i = 0; i < 18; ++i) {
+    // The normal matrix turns the x axis to the light, or nowhere.
+    scene.vertex.normal_matrix = {0, 0, i % 3 == 0 ? 1.0f : 0.0f, 0, 0, 0, 0, 0, 0};
+    scene.normal = {1, 0, 0, 0};
+    scene.draw(square(i, false), {1, 0, 0, 1});
+  }
+  scene.frame.finish();
+  for (int i = 0; i < 18; ++i) {
+    EXPECT_EQ(scene.pixel(8 * i + 1, 1), i % 3 == 0 ? kGreen : 0xff000000u) << i;
+  }
+}
+
 // Elements of buffers are clamped to the last one, in a stream as elsewhere.
 TEST(SmallDraws, IndicesPastTheBufferReadItsLastElement) {
   Scene scene;
