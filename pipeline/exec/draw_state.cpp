@@ -118,7 +118,11 @@ Viewport CurrentState::viewport() const {
 }
 
 void CurrentState::record_vertices(Arena& arena) {
-  auto* state = static_cast<VertexState*>(arena.allocate(sizeof(VertexState)));
+  // Matrices may change with each draw: what nobody looks at in a plain state takes no room.
+  const bool plain = vertex_.palette == nullptr && !vertex_.lighting &&
+                     vertex_.texture_matrix == 0 && vertex_.clip_planes == 0;
+  const size_t bytes = plain ? offsetof(VertexState, projection) : sizeof(VertexState);
+  auto* state = static_cast<VertexState*>(arena.allocate(bytes));
   copy_vertex_state(vertex_, *state);
   if (const MatrixPalette* palette = state->palette) {
     state->palette = new (arena.allocate(sizeof(MatrixPalette))) MatrixPalette(*palette);
