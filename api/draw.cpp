@@ -312,24 +312,24 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
   const int count = static_cast<int>(x1 - x0);
-  std::vector<uint32_t> rgba(format == GL_RGBA ? 0 : static_cast<size_t>(count));
+  const int64_t y0 = std::max<int64_t>(y, 0),
+                y1 = std::min<int64_t>(static_cast<int64_t>(y) + height, from.height);
   // Pixels outside of the surface are undefined: they are left alone (4.3.1).
-  for (int64_t row = 0; row < height; ++row) {
-    const int64_t from_y = y + row;
-    if (from_y < 0 || from_y >= from.height) continue;
-    std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
-    const auto read = [&](void* out) {
-      pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(from_y), count, out);
-    };
-    if (format == GL_RGBA) {
-      read(to);
-      continue;
-    }
-    read(rgba.data());
+  std::byte* to = static_cast<std::byte*>(pixels) + (y0 - y) * row_bytes + (x0 - x) * bytes;
+  if (y0 >= y1) return;
+  if (format == GL_RGBA) {
+    pipeline::read_rectangle(from, static_cast<int>(x0), static_cast<int>(y0), count,
+                             static_cast<int>(y1 - y0), to, static_cast<size_t>(row_bytes));
+    return;
+  }
+  std::vector<uint32_t> rgba(static_cast<size_t>(count));
+  for (int64_t row = y0; row < y1; ++row, to += row_bytes) {
+    pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, rgba.data());
+    std::byte* out = to;
     for (const uint32_t pixel : rgba) {
       const uint32_t packed = pack_bgra(pixel, type);
-      std::memcpy(to, &packed, static_cast<size_t>(bytes));
-      to += bytes;
+      std::memcpy(out, &packed, static_cast<size_t>(bytes));
+      out += bytes;
     }
   }
 }
