@@ -7,7 +7,7 @@
 
 #include "pipeline/exec/corners.h"
 #include "pipeline/exec/frame_data.h"
-#include "pipeline/setup/triangles.h"
+#include "pipeline/setup/lanes.h"
 
 namespace clearpipe::pipeline {
 
@@ -112,11 +112,11 @@ class FrontWorker {
     if (apart) {  // each vertex belongs to one primitive
       for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
         elements_[element_count_] = element;
-        triangles_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
+        lanes_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
       });
     } else {
       for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
-        triangles_.corner[k][first + i] = local_vertex(element);
+        lanes_.corner[k][first + i] = local_vertex(element);
       });
     }
   }
@@ -125,7 +125,7 @@ class FrontWorker {
   void list_shared(const DrawRecord& draw, const PacketRange& range) {
     const uint32_t first = draw.first_shared;
     for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
-      triangles_.corner[k][i] = static_cast<int32_t>(element - first);
+      lanes_.corner[k][i] = static_cast<int32_t>(element - first);
     });
   }
 
@@ -152,8 +152,8 @@ class FrontWorker {
     emit(draws, ranges, packet);
   }
 
-  // Primitives from the records of their vertices; ranges of triangles whose draws have one state
-  // are set up together.
+  // Primitives from the records of their vertices; ranges of triangles or of lines whose draws have
+  // one state are set up together.
   void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
             Packet& packet) {
     uint32_t first = 0;
@@ -161,58 +161,43 @@ class FrontWorker {
       const DrawRecord& draw = draws[ranges[r].draw];
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
-      if (corners == 3 && draws_small_) {
-        size_t end = r;
-        uint32_t count = 0;
-        while (end < ranges.size() && draws[ranges[end].draw].state == draw.state &&
-               corner_count(draws[ranges[end].draw].primitive) == 3) {
-          count += ranges[end++].primitive_count;
-        }
-        set_up_triangles(draw.state->setup, first, count);
-        for (; r < end; first += ranges[r++].primitive_count) {
-          packet.records.push_back(records_);
-          emit_triangles(*draw.state, ranges[r], first, packet);
-        }
-      } else {
+      size_t end = r;
+      uint32_t count = 0;
+      while (end < ranges.size() && draws[ranges[end].draw].state == draw.state &&
+             corner_count(draws[ranges[end].draw].primitive) == corners) {
+        count += ranges[end++].primitive_count;
+      }
+      const bool in_lanes = corners > 1 && draws_small_;
+      if (in_lanes) {
+        (corners == 3 ? setup_triangles : setup_lines)(draw.state->setup,
+                                                       lane_job(records_, lanes_, first, count));
+      }
+      for (; r < end; first += ranges[r++].primitive_count) {
         packet.records.push_back(records_);
-        for (uint32_t i = 0; i < ranges[r].primitive_count; ++i) {
-          emit_corners(*draw.state, ranges[r].draw, corners, first + i, packet);
+        for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
+          const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
+          if (fate == LaneFate::kGeneral) {
+            emit_corners(*draw.state, ranges[r].draw, corners, i, packet);
+          } else if (fate != LaneFate::kNothing) {
+            emit_settled(corners, fate, i, packet);
+          }
         }
-        first += ranges[r++].primitive_count;
       }
     }
   }
 
-  void set_up_triangles(const SetupState& state, uint32_t first, uint32_t count) {
-    TriangleJob job;
-    job.records = records_;
-    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data() + first;
-    job.count = count;
-    job.fate = triangles_.fate.data() + first;
-    job.x = triangles_.x.data() + first;
-    job.y = triangles_.y.data() + first;
-    job.mask_low = triangles_.mask_low.data() + first;
-    job.mask_high = triangles_.mask_high.data() + first;
-    setup_triangles(state, job);
-  }
-
-  // Triangles that are settled many at once, and the others.
-  void emit_triangles(const DrawState& draw, const PacketRange& range, uint32_t first,
-                      Packet& packet) {
+  // A primitive that setup in lanes has settled.
+  void emit_settled(int corners, LaneFate fate, uint32_t i, Packet& packet) {
+    const bool other = fate == LaneFate::kSmallOther;
     SmallPrimitive small;
-    small.size = 0;
-    small.kind = PrimitiveKind::kTriangle;
-    for (uint32_t i = first; i < first + range.primitive_count; ++i) {
-      const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
-      if (fate == TriangleFate::kNothing) continue;
-      if (fate == TriangleFate::kGeneral) {
-        emit_corners(draw, range.draw, 3, i, packet);
-        continue;
-      }
-      small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
-      small.x = static_cast<int16_t>(triangles_.x[i]);
-      small.y = static_cast<int16_t>(triangles_.y[i]);
-      small.back_facing = fate == TriangleFate::kSmallBack;
+    small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
+    small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
+    small.back_facing = corners == 3 && other;
+    for (int square = 0; square < kSquaresOfLane; ++square) {
+      small.mask = lanes_.mask(i, square);
+      if (small.mask == 0) continue;
+      small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
+      small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
       add_small(i, small, packet);
     }
   }
@@ -223,7 +208,7 @@ class FrontWorker {
     const float* v[3] = {};
     uint32_t any = 0, all = ~0u;
     for (int k = 0; k < corners; ++k) {
-      v[k] = records_ + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.clip.layout.stride;
+      v[k] = records_ + static_cast<ptrdiff_t>(lanes_.corner[k][i]) * draw.clip.layout.stride;
       uint32_t outcode;
       std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
       any |= outcode;
@@ -271,7 +256,7 @@ class FrontWorker {
   void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
     static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
     for (int k = 0; k < 3; ++k) {
-      primitive.vertex[k] = static_cast<uint32_t>(triangles_.corner[k][i]);
+      primitive.vertex[k] = static_cast<uint32_t>(lanes_.corner[k][i]);
     }
     primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
     packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
@@ -283,8 +268,8 @@ class FrontWorker {
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
-  const float* records_ = nullptr;            // the vertices of the job at hand
-  TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
+  const float* records_ = nullptr;    // the vertices of the job at hand
+  LaneSet<kPacketPrimitives> lanes_;  // of points, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};
