@@ -189,15 +189,17 @@ class FrontWorker {
   // A primitive that setup in lanes has settled.
   void emit_settled(int corners, LaneFate fate, uint32_t i, Packet& packet) {
     const bool other = fate == LaneFate::kSmallOther;
-    SmallPrimitive small;
-    small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
-    small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
-    small.back_facing = corners == 3 && other;
-    for (int square = 0; square < kSquaresOfLane; ++square) {
-      small.mask = lanes_.mask(i, square);
-      if (small.mask == 0) continue;
+    const int squares = lanes_.more[i] != 0 ? kSquaresOfLane : 1;
+    for (int square = 0; square < squares; ++square) {
+      const uint64_t mask = lanes_.mask(i, square);
+      if (mask == 0) continue;
+      SmallPrimitive small;
+      small.mask = mask;
       small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
       small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
+      small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
+      small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
+      small.back_facing = corners == 3 && other;
       add_small(i, small, packet);
     }
   }

@@ -193,13 +193,14 @@ HWY_INLINE void settle(const SetupState& state, const LaneJob& job, size_t i,
     const int width = greatest(hn::IfThenElseZero(small, right)) + 1;
     const int height = greatest(hn::IfThenElseZero(small, upper)) + 1;
     const TagU du;
-    VecI covered = zero;
+    VecI covered = zero, more = zero;
     for (int square = 0; square < kSquaresOfLane; ++square) {
       const int columns = std::min(width - square % kLaneSquares * kSmallSide, kSmallSide);
       const int rows = std::min(height - square / kLaneSquares * kSmallSide, kSmallSide);
       VecI low = zero, high = zero;
       if (columns > 0 && rows > 0) mask_square(edges, square, columns, rows, low, high);
       covered = hn::Or(covered, hn::Or(low, high));
+      if (square != 0) more = hn::Or(more, hn::Or(low, high));
       hn::StoreU(hn::BitCast(du, low), du, job.mask_low[square] + i);
       hn::StoreU(hn::BitCast(du, high), du, job.mask_high[square] + i);
     }
@@ -207,6 +208,7 @@ HWY_INLINE void settle(const SetupState& state, const LaneJob& job, size_t i,
     result = hn::IfThenElse(small, hn::IfThenElseZero(covers, fate_of(area)), result);
     hn::StoreU(x0, d, job.x + i);
     hn::StoreU(y0, d, job.y + i);
+    hn::StoreU(more, d, job.more + i);
   }
   hn::StoreU(hn::IfThenZeroElse(nothing, result), d, job.fate + i);
 }

@@ -33,8 +33,9 @@ struct LaneSet {
   static constexpr size_t kPadded = kCount + kSetupLanes;
 
   alignas(64) std::array<int32_t, kPadded> corner[3]{};  // numbers of vertex records
-  // Filled by setup; the place of the first square and the masks for small ones only.
-  alignas(64) std::array<int32_t, kPadded> fate, x, y;
+  // Filled by setup; the place of the first square, whether others than that are covered, and the
+  // masks for small ones only.
+  alignas(64) std::array<int32_t, kPadded> fate, x, y, more;
   alignas(64) std::array<uint32_t, kPadded> mask_low[kSquaresOfLane], mask_high[kSquaresOfLane];
 
   uint64_t mask(size_t i, int square) const {
@@ -48,7 +49,7 @@ struct LaneJob {
   size_t count = 0;
   // Out.
   int32_t* fate = nullptr;
-  int32_t *x = nullptr, *y = nullptr;
+  int32_t *x = nullptr, *y = nullptr, *more = nullptr;
   uint32_t *mask_low[kSquaresOfLane] = {}, *mask_high[kSquaresOfLane] = {};
 };
 
@@ -62,6 +63,7 @@ LaneJob lane_job(const float* records, LaneSet<kCount>& set, size_t first, size_
   job.fate = set.fate.data() + first;
   job.x = set.x.data() + first;
   job.y = set.y.data() + first;
+  job.more = set.more.data() + first;
   for (int s = 0; s < kSquaresOfLane; ++s) {
     job.mask_low[s] = set.mask_low[s].data() + first;
     job.mask_high[s] = set.mask_high[s].data() + first;
