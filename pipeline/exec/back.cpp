@@ -2,8 +2,10 @@
 // loading the planes that are needed and merging those that changed.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <bit>
 
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/fragment/usage.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
 
@@ -70,6 +72,7 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   const DrawState& draw = *draws[primitive.draw].state;
   planes.prepare(draw.outputs,
                  draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
+  if (counts_usage()) count_coverage(*draw.program, coverage, samples);
   PrimitivePlanes attributes;
   make_planes(draw.setup, primitive, attributes);
   if (samples > 1) {
@@ -77,6 +80,16 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   } else {
     shade(*draw.program, attributes, coverage[0], tiles.tiles[0]);
   }
+}
+
+void count_small(const FragmentProgram& program, const Packet& packet,
+                 std::span<const uint32_t> entries, const Tile& tile) {
+  int pixels = 0;
+  for (const uint32_t entry : entries) {
+    const SmallPrimitive& small = packet.small[entry & ~kSmallEntry];
+    pixels += std::popcount(small_coverage(small.mask, small.x, small.y, tile.x, tile.y).mask);
+  }
+  count_pixels(program, UsageForm::kSmall, pixels);
 }
 
 // The primitives of a packet that touch the tile.
@@ -90,8 +103,13 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
       ++at;
     } else {
       const SmallPrimitive& small = packet.small[index & ~kSmallEntry];
-      planes.prepare(draws[packet.ranges[small.range].draw].state->outputs, false);
-      at += worker.small.add(draws, packet, entries.subspan(at), worker.tiles.tiles[0]);
+      const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
+      const Tile& tile = worker.tiles.tiles[0];
+      planes.prepare(draw.outputs, false);
+      const size_t taken =
+          worker.small.add(draws, packet, entries.subspan(at), worker.tiles.tiles[0]);
+      if (counts_usage()) count_small(*draw.program, packet, entries.subspan(at, taken), tile);
+      at += taken;
     }
   }
 }

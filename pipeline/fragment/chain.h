@@ -45,10 +45,13 @@ struct UnitProgram {
 using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePlanes& planes,
                                const Coverage& coverage, Tile& tile);
 
+struct UsageEntry;
+
 // A program but for its texture units, which are large and mostly not in use.
 struct ProgramBase {
   FusedFunction fused = nullptr;  // null: the chain
   bool batches_small = false;     // see small.h
+  UsageEntry* usage = nullptr;    // where its pixels count (usage.h)
   FragmentInputs inputs;
   std::array<ChainStep, 14 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;

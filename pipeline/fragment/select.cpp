@@ -13,6 +13,7 @@
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
 #include "pipeline/fragment/small.h"
+#include "pipeline/fragment/usage.h"
 
 namespace clearpipe::pipeline {
 
@@ -184,6 +185,7 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
     select_fused(*program);
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
+  program->usage = usage_of(*program);
 }
 
 bool batches_small(const FragmentProgram& program) { return program.batches_small; }
