@@ -7,7 +7,7 @@
 
 #include "pipeline/exec/corners.h"
 #include "pipeline/exec/frame_data.h"
-#include "pipeline/setup/triangles.h"
+#include "pipeline/setup/lanes.h"
 
 namespace clearpipe::pipeline {
 
@@ -65,11 +65,12 @@ bool setup_primitive(const SetupState& state, int corners, const float* const* v
 
 }  // namespace
 
-// Whether the triangles of two draws with vertices of one job are set up alike.
+// Whether the primitives of two draws with vertices of one job are set up alike.
 bool share_setup(const DrawRecord& a, const DrawRecord& b) {
+  if (corner_count(a.primitive) != corner_count(b.primitive)) return false;
+  if (a.state == b.state) return true;
   if (b.primitive < Primitive::kTriangles || !draws_small(b)) return false;
   const SetupState &s = a.state->setup, &t = b.state->setup;
-  if (a.state == b.state) return true;
   return s.bounds.x0 == t.bounds.x0 && s.bounds.y0 == t.bounds.y0 && s.bounds.x1 == t.bounds.x1 &&
          s.bounds.y1 == t.bounds.y1 && s.raster.cull == t.raster.cull &&
          s.raster.front_is_clockwise == t.raster.front_is_clockwise;
@@ -122,11 +123,11 @@ class FrontWorker {
     if (apart) {  // each vertex belongs to one primitive
       for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
         elements_[element_count_] = element;
-        triangles_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
+        lanes_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
       });
     } else {
       for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
-        triangles_.corner[k][first + i] = local_vertex(element);
+        lanes_.corner[k][first + i] = local_vertex(element);
       });
     }
   }
@@ -148,7 +149,7 @@ class FrontWorker {
   void list_shared(const DrawRecord& draw, const PacketRange& range) {
     const uint32_t first = draw.first_shared;
     for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
-      triangles_.corner[k][i] = static_cast<int32_t>(element - first);
+      lanes_.corner[k][i] = static_cast<int32_t>(element - first);
     });
   }
 
@@ -176,8 +177,8 @@ class FrontWorker {
     emit(draws, ranges, packet);
   }
 
-  // Primitives from the records of their vertices; ranges of triangles whose draws setup cannot
-  // tell apart are set up together.
+  // Primitives from the records of their vertices; ranges of triangles or of lines whose draws setup
+  // cannot tell apart are set up together.
   void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
             Packet& packet) {
     uint32_t first = 0;
@@ -185,57 +186,45 @@ class FrontWorker {
       const DrawRecord& draw = draws[ranges[r].draw];
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
-      if (corners == 3 && draws_small_) {
-        size_t end = r;
-        uint32_t count = 0;
-        while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
-          count += ranges[end++].primitive_count;
-        }
-        set_up_triangles(draw.state->setup, first, count);
-        for (; r < end; first += ranges[r++].primitive_count) {
-          packet.records.push_back(records_);
-          emit_triangles(*draws[ranges[r].draw].state, ranges[r], first, packet);
-        }
-      } else {
+      size_t end = r;
+      uint32_t count = 0;
+      while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
+        count += ranges[end++].primitive_count;
+      }
+      const bool in_lanes = corners > 1 && draws_small_;
+      if (in_lanes) {
+        (corners == 3 ? setup_triangles : setup_lines)(draw.state->setup,
+                                                       lane_job(records_, lanes_, first, count));
+      }
+      for (; r < end; first += ranges[r++].primitive_count) {
+        const DrawState& state = *draws[ranges[r].draw].state;
         packet.records.push_back(records_);
-        for (uint32_t i = 0; i < ranges[r].primitive_count; ++i) {
-          emit_corners(*draw.state, ranges[r].draw, corners, first + i, packet);
+        for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
+          const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
+          if (fate == LaneFate::kGeneral) {
+            emit_corners(state, ranges[r].draw, corners, i, packet);
+          } else if (fate != LaneFate::kNothing) {
+            emit_settled(corners, fate, i, packet);
+          }
         }
-        first += ranges[r++].primitive_count;
       }
     }
   }
 
-  void set_up_triangles(const SetupState& state, uint32_t first, uint32_t count) {
-    TriangleJob job;
-    job.records = records_;
-    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data() + first;
-    job.count = count;
-    job.fate = triangles_.fate.data() + first;
-    job.x = triangles_.x.data() + first;
-    job.y = triangles_.y.data() + first;
-    job.mask_low = triangles_.mask_low.data() + first;
-    job.mask_high = triangles_.mask_high.data() + first;
-    setup_triangles(state, job);
-  }
-
-  // Triangles that are settled many at once, and the others.
-  void emit_triangles(const DrawState& draw, const PacketRange& range, uint32_t first,
-                      Packet& packet) {
-    SmallPrimitive small;
-    small.size = 0;
-    small.kind = PrimitiveKind::kTriangle;
-    for (uint32_t i = first; i < first + range.primitive_count; ++i) {
-      const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
-      if (fate == TriangleFate::kNothing) continue;
-      if (fate == TriangleFate::kGeneral) {
-        emit_corners(draw, range.draw, 3, i, packet);
-        continue;
-      }
-      small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
-      small.x = static_cast<int16_t>(triangles_.x[i]);
-      small.y = static_cast<int16_t>(triangles_.y[i]);
-      small.back_facing = fate == TriangleFate::kSmallBack;
+  // A primitive that setup in lanes has settled.
+  void emit_settled(int corners, LaneFate fate, uint32_t i, Packet& packet) {
+    const bool other = fate == LaneFate::kSmallOther;
+    const int squares = lanes_.more[i] != 0 ? kSquaresOfLane : 1;
+    for (int square = 0; square < squares; ++square) {
+      const uint64_t mask = lanes_.mask(i, square);
+      if (mask == 0) continue;
+      SmallPrimitive small;
+      small.mask = mask;
+      small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
+      small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
+      small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
+      small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
+      small.back_facing = corners == 3 && other;
       add_small(i, small, packet);
     }
   }
@@ -246,7 +235,7 @@ class FrontWorker {
     const float* v[3] = {};
     uint32_t any = 0, all = ~0u;
     for (int k = 0; k < corners; ++k) {
-      v[k] = records_ + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.clip.layout.stride;
+      v[k] = records_ + static_cast<ptrdiff_t>(lanes_.corner[k][i]) * draw.clip.layout.stride;
       uint32_t outcode;
       std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
       any |= outcode;
@@ -294,7 +283,7 @@ class FrontWorker {
   void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
     static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
     for (int k = 0; k < 3; ++k) {
-      primitive.vertex[k] = static_cast<uint32_t>(triangles_.corner[k][i]);
+      primitive.vertex[k] = static_cast<uint32_t>(lanes_.corner[k][i]);
     }
     primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
     packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
@@ -308,8 +297,8 @@ class FrontWorker {
   std::array<uint32_t, kPacketVertices> elements_;
   uint32_t run_count_ = 0;
   std::array<VertexRun, kPacketPrimitives> runs_;
-  const float* records_ = nullptr;            // the vertices of the job at hand
-  TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
+  const float* records_ = nullptr;    // the vertices of the job at hand
+  LaneSet<kPacketPrimitives> lanes_;  // of points, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};

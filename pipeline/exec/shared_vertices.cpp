@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <limits>
 #include <numeric>
+
+#include "pipeline/exec/index_range.h"
 
 namespace clearpipe::pipeline {
 
@@ -14,36 +15,6 @@ namespace {
 
 // Smaller draws make one packet, or two.
 constexpr uint32_t kMinPrimitives = 2 * kPacketPrimitives;
-
-struct ElementRange {
-  uint32_t first = 0, last = 0;
-};
-
-template <class Index>
-ElementRange used_elements(const std::byte* indices, uint32_t count) {
-  Index least = std::numeric_limits<Index>::max(), greatest = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    Index value;
-    std::memcpy(&value, indices + size_t{sizeof(Index)} * i, sizeof(value));
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
-  return {least, greatest};
-}
-
-ElementRange used_elements(const DrawRecord& draw) {
-  switch (draw.index_type) {
-    case IndexType::kNone:
-      return {0, std::numeric_limits<uint32_t>::max()};
-    case IndexType::kUnsignedByte:
-      return used_elements<uint8_t>(draw.indices, draw.count);
-    case IndexType::kUnsignedShort:
-      return used_elements<uint16_t>(draw.indices, draw.count);
-    case IndexType::kUnsignedInt:
-      return used_elements<uint32_t>(draw.indices, draw.count);
-  }
-  return {};
-}
 
 }  // namespace
 
@@ -53,15 +24,15 @@ void SharedVertices::prepare(std::vector<DrawRecord>& draws, Arena& arena) {
     DrawRecord& draw = draws[d];
     const uint32_t primitives = primitive_count(draw.primitive, draw.count);
     if (draw.index_type == IndexType::kNone || primitives < kMinPrimitives) continue;
-    const ElementRange range = used_elements(draw);
+    const IndexRange range = index_range(draw.index_type, draw.indices, draw.count);
     // With more vertices than primitives, packets by themselves transform no more.
-    if (range.last - range.first >= primitives) continue;
-    const uint32_t count = range.last - range.first + 1;
+    if (range.greatest - range.least >= primitives) continue;
+    const uint32_t count = range.greatest - range.least + 1;
     const size_t stride = draw.state->clip.layout.stride;
     if (count * stride > size_t{std::numeric_limits<int32_t>::max()}) continue;
     float* records = arena.allocate_array<float>(count * stride);
     draw.shared = records;
-    draw.first_shared = range.first - draw.index_base;
+    draw.first_shared = range.least - draw.index_base;
     for (uint32_t first = 0; first < count; first += kChunk) {
       chunks_.push_back({static_cast<uint32_t>(d), first, std::min(kChunk, count - first),
                          records + first * stride});

@@ -45,7 +45,11 @@ inline constexpr std::array<uint64_t, 256> kBitPlaces = [] {
 class SmallBatch {
  public:
   SmallBatch(const FragmentProgram& program, Tile& tile)
-      : program_(program), tile_(tile), depth_state_(depth_state(program)) {
+      : program_(program),
+        tile_(tile),
+        depth_state_(depth_state(program)),
+        replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
+                  !program.has_logic_op) {
     batch_.count = 0;
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program.inputs.texture_units >> unit & 1) == 0) continue;
@@ -226,11 +230,33 @@ class SmallBatch {
     std::fill(to + batch_.count, to + padded_, from[0]);
   }
 
-  void gather(const uint32_t* plane, uint32_t* values) const {
-    for (int i = 0; i < batch_.count; ++i) values[i] = plane[offset_[i]];
+  // Calls f for each fragment.
+  template <class F>
+  HWY_INLINE void for_each_fragment(const F& f) const {
+    const int count = batch_.count;
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {
+      f(i);
+      f(i + 1);
+      f(i + 2);
+      f(i + 3);
+    }
+    for (; i < count; ++i) f(i);
   }
-  void scatter(const uint32_t* values, uint32_t* plane) const {
-    for (int i = 0; i < batch_.count; ++i) plane[offset_[i]] = values[i];
+
+  void gather(const uint32_t* HWY_RESTRICT plane, uint32_t* HWY_RESTRICT values) const {
+    for_each_fragment([=, this](int i) { values[i] = plane[offset_[i]]; });
+  }
+  void scatter(const uint32_t* HWY_RESTRICT values, uint32_t* HWY_RESTRICT plane) const {
+    for_each_fragment([=, this](int i) { plane[offset_[i]] = values[i]; });
+  }
+  // Of the fragments that live. The others go where nobody looks, so that there is no branch.
+  void scatter_live(const uint32_t* values, uint32_t* plane) const {
+    uint32_t nowhere;
+    for_each_fragment([&, values, plane](int i) {
+      uint32_t* to = batch_.live[i] != 0 ? plane + offset_[i] : &nowhere;
+      *to = values[i];
+    });
   }
 
   // The depth and stencil tests (4.1.5, 4.1.6) on the tile's values; false when no fragment lives.
@@ -262,7 +288,7 @@ class SmallBatch {
 
   void shade() {
     const bool writes = program_.colour_mask != 0;
-    if (writes) gather(tile_.colour, batch_.stored_colour);
+    if (writes && !replaces_) gather(tile_.colour, batch_.stored_colour);
     static const PrimitivePlanes kNoPlanes;
     const StageContext context{program_, kNoPlanes, tile_};
     for (int i = 0; i < program_.step_count; ++i) {
@@ -286,7 +312,9 @@ class SmallBatch {
           run_stage(context, step, batch_);
       }
     }
-    if (writes) {
+    if (replaces_) {
+      scatter_live(batch_.colour, tile_.colour);
+    } else if (writes) {
       mask_stage(program_.colour_mask, batch_, batch_.live);
       scatter(batch_.colour, tile_.colour);
     }
@@ -343,6 +371,7 @@ class SmallBatch {
   const FragmentProgram& program_;
   Tile& tile_;
   const DepthState depth_state_;
+  const bool replaces_;  // what lives replaces the whole pixel
   bool needs_lod_ = false;
   int padded_ = 0;
   alignas(8) uint8_t places_[kSmallSide * kSmallSide + 64];  // a vector may be read at the last
