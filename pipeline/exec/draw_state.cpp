@@ -42,25 +42,26 @@ bool differ_in_matrices_alone(const VertexState& a, const VertexState& b) {
 
 void CurrentState::forget_vertices() {
   recorded_ = nullptr;
+  new_group_ = true;
   forget_draws();
 }
 
 void CurrentState::set_target(const Target& target) {
   target_ = target;
   program_ = nullptr;
-  forget_group();
+  forget_vertices();
 }
 
 void CurrentState::set_vertex_state(const VertexState& state) {
-  if (!differ_in_matrices_alone(state, vertex_)) new_group_ = true;
+  if (!differ_in_matrices_alone(state, vertex_)) forget_vertices();
   copy_vertex_state(state, vertex_);
-  forget_vertices();
+  recorded_ = nullptr;
 }
 
 void CurrentState::set_raster_state(const RasterState& state) {
   const bool same_viewport = raster_.viewport == state.viewport;
   raster_ = state;
-  same_viewport ? forget_draws() : forget_group();
+  same_viewport ? forget_draws() : forget_vertices();
 }
 
 void CurrentState::set_fragment_state(const FragmentState& state) {
@@ -72,7 +73,7 @@ void CurrentState::set_fragment_state(const FragmentState& state) {
 void CurrentState::reset() {
   programs_.reset();
   program_ = nullptr;
-  forget_group();
+  forget_vertices();
 }
 
 ProgramHolder& CurrentState::program() {
@@ -144,13 +145,12 @@ void CurrentState::record_vertices(Arena& arena) {
 
 const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   const Rect bounds = intersect(raster_.scissor, {0, 0, target_.width, target_.height});
-  if (recorded_ == nullptr) record_vertices(arena);
+  vertices(arena);
   if (bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1) return nullptr;
   const FragmentCoverage coverage = coverage_of(primitive);
   auto* draw = new (arena.allocate(sizeof(DrawState))) DrawState;
   draw->program = program().program(coverage);
   draw->outputs = fragment_outputs(*draw->program);
-  draw->vertex = recorded_;
   draw->vertex_group = vertex_group_;
   draw->clip = clip_;
   draw->clip.flat_shade = raster_.flat_shade;

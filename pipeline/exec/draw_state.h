@@ -34,6 +34,11 @@ class CurrentState {
     return made_[kind];
   }
 
+  const VertexState* vertices(Arena& arena) {
+    if (recorded_ == nullptr) record_vertices(arena);
+    return recorded_;
+  }
+
   // Bit per Attribute that vertices of such draws need, but for the size of points.
   uint32_t attributes() const { return attributes_; }
 
@@ -50,10 +55,6 @@ class CurrentState {
 
   void forget_draws() { known_.fill(false); }
   void forget_vertices();
-  void forget_group() {
-    forget_vertices();
-    new_group_ = true;
-  }
   void record_vertices(Arena& arena);
   const DrawState* make(Primitive primitive, Arena& arena);
   FragmentCoverage coverage_of(Primitive primitive) const;

@@ -79,8 +79,9 @@ struct Frame::Impl {
   static bool continues(const DrawRecord& last, const DrawRecord& next) {
     const uint32_t corners = corners_of(last.primitive);
     return corners != 0 && next.primitive == last.primitive && next.state == last.state &&
-           next.sources == last.sources && next.index_type == IndexType::kNone &&
-           last.index_type == IndexType::kNone && last.count % corners == 0 &&
+           next.vertex == last.vertex && next.sources == last.sources &&
+           next.index_type == IndexType::kNone && last.index_type == IndexType::kNone &&
+           last.count % corners == 0 &&
            next.first - next.index_base == last.first + last.count - last.index_base;
   }
 
@@ -88,6 +89,7 @@ struct Frame::Impl {
     DrawRecord draw;
     draw.state = state.of(command.primitive, arena);
     if (draw.state == nullptr) return;
+    draw.vertex = state.vertices(arena);
     arrays.record(command, state.attributes(), arena, draw);
     uint32_t skipped = 0;  // primitives of the draw that is continued
     if (!draws.empty() && continues(draws.back(), draw)) {

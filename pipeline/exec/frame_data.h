@@ -30,7 +30,6 @@ inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 
 // What a draw needs besides its vertices; draws share it until state changes.
 struct DrawState {
-  const VertexState* vertex = nullptr;
   // The same number: the vertex states differ in their matrices alone, and vertices of the draws
   // can come out of one vertex job.
   uint32_t vertex_group = 0;
@@ -43,6 +42,7 @@ struct DrawState {
 // A recorded draw. All it points to is good until the frame is done.
 struct DrawRecord {
   const DrawState* state = nullptr;
+  const VertexState* vertex = nullptr;  // by itself: matrices often change alone
   // Where attributes come from, perhaps together with those of other draws; of what else a command
   // says only whether it draws points is of interest here.
   const DrawCommand* sources = nullptr;
@@ -94,8 +94,8 @@ uint32_t corners_of(Primitive primitive);
 inline VertexJob make_vertex_job(const DrawRecord& draw, const uint32_t* elements, size_t count,
                                  float* records) {
   const ClipState& clip = draw.state->clip;
-  return {draw.sources, draw.state->vertex, clip.viewport, clip.guard,
-          clip.layout,  elements,           count,         records};
+  return {draw.sources, draw.vertex, clip.viewport, clip.guard,
+          clip.layout,  elements,    count,         records};
 }
 
 // Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.

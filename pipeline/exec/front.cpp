@@ -135,7 +135,7 @@ class FrontWorker {
   // The same, and notes which matrices the elements go with. With others, the same element is
   // another vertex.
   void list_run(const DrawRecord& draw, const PacketRange& range, uint32_t first) {
-    const VertexState* matrices = draw.state->vertex;
+    const VertexState* matrices = draw.vertex;
     if (run_count_ == 0 || runs_[run_count_ - 1].matrices != matrices) {
       ++generation_;
       runs_[run_count_++] = {matrices, 0};
