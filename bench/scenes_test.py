@@ -5,6 +5,7 @@
   scenes_test.py BUILD mesa                     each picture is Mesa's, as far as the scene asks, and is not blank
   scenes_test.py BUILD same VARIABLE=VALUE[,VARIABLE=VALUE...]...
                                                 each picture is the same, byte for byte, with each of these settings of clearpipe
+  scenes_test.py BUILD allocations              a frame that is like the one before asks for no memory
   scenes_test.py BUILD count                    CLEARPIPE_COUNT counts the pixels that were drawn
 """
 
@@ -17,6 +18,14 @@ import tempfile
 import runs
 
 SIZE = "320x240"  # smaller pictures are nothing but edges
+# Why a steady frame of a scene asks for memory.
+ALLOCATING = {
+    "upload_new_565": "an image that is given anew gets memory of its own",
+    "framebuffer_object": "a change of the framebuffer makes its target anew",
+    **dict.fromkeys(("stencil", "draws_blending_flips", "draws_textures_change", "draws_states_change", "states_new"),
+                    "a change of state makes its program anew"),
+    "model_bunny": "a frame of many primitives makes its program anew",
+}
 BLANK = ("clear", "fill_flat", "fill_flat_depth")  # of one colour by design
 
 
@@ -86,12 +95,26 @@ def test_count(build, folder):
     return [] if counted == [4 * 320 * 240] else [f"{counted} pixels were counted:\n{table.read_text()}"]
 
 
+def test_allocations(build, folder):
+    ours = runs.implementation("clearpipe", build)
+    preload = {"LD_PRELOAD": str(build / "bench" / "libbench_allocations.so")}
+    failed = []
+    for scene in runs.list_scenes(build):
+        if scene.window:
+            continue
+        count = runs.run(build, ours, scene, *small(scene), extra=preload)["allocations"]
+        print(f"{scene.name}: {count:.0f} {ALLOCATING.get(scene.name, '')}")
+        if count != 0 and scene.name not in ALLOCATING:
+            failed.append(f"{scene.name}: {count:.0f} allocations in a steady frame")
+    return failed
+
+
 def main():
     build, what, *settings = sys.argv[1:]
     build = pathlib.Path(build)
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        tests = {"mesa": test_mesa, "count": test_count, "same": lambda *where: test_same(*where, settings)}
+        tests = {"mesa": test_mesa, "count": test_count, "allocations": test_allocations, "same": lambda *where: test_same(*where, settings)}
         failed = tests[what](build, folder)
     if failed:
         sys.exit("scenes_test: " + "\n".join(failed))
