@@ -72,6 +72,7 @@ def summary(measurement):
         worst = min(ratios, key=ratios.get)
         lines += [f"{first.name} against {other.name}, {len(ratios)} scenes:", "",
                   f"- frames: geometric mean {geometric_mean(ratios.values()):.2f}; the worst is {worst} with {ratios[worst]:.2f}",
+                  f"- CPU time of all threads: geometric mean {geometric_mean(measurement.cpu_ratios(other).values()):.2f}",
                   f"- under 2: {', '.join(f'{name} {ratios[name]:.2f}' for name in slow) or 'none'}",
                   "- from the start of the process to its first frame: geometric mean "
                   f"{geometric_mean(measurement.ratios(other, 'first_ms').values()):.2f}",
