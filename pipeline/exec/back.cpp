@@ -70,7 +70,7 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   const int samples = planes.samples();
   Coverage coverage[kSampleCount];
   if (!cover(primitive, planes, coverage)) return;
-  const DrawRecord& draw = draws[primitive.draw];
+  const DrawState& draw = *draws[primitive.draw].state;
   planes.prepare(draw.outputs,
                  draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
   if (counts_usage()) count_coverage(*draw.program, coverage, samples);
@@ -93,7 +93,7 @@ void count_small(const FragmentProgram& program, const Packet& packet,
   count_pixels(program, UsageForm::kSmall, pixels);
 }
 
-// The primitives of a packet that touch the tile; neighbours that are small and of one draw
+// The primitives of a packet that touch the tile; neighbours that are small and of one state
 // together.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
                   std::span<const uint32_t> entries, TilePlanes& planes, SampleTiles& tiles) {
@@ -104,10 +104,10 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
       ++at;
       continue;
     }
-    const DrawRecord& draw = draws[packet.small[index & ~kSmallEntry].draw];
+    const DrawState& draw = *draws[packet.small[index & ~kSmallEntry].draw].state;
     planes.prepare(draw.outputs, false);
     const size_t taken =
-        shade_small(draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
+        shade_small(draws, draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
     if (counts_usage()) {
       count_small(*draw.program, packet, entries.subspan(at, taken), tiles.tiles[0]);
     }

@@ -27,34 +27,28 @@ namespace clearpipe::pipeline {
 inline constexpr uint32_t kPacketPrimitives = 512;
 inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 
-// A fragment state with its programs, made when first drawn with; keeps the images they sample.
-struct ProgramHolder {
-  struct Destroy {
-    void operator()(FragmentProgram* program) const { destroy_fragment_program(program); }
-  };
-
-  FragmentState state;
-  FragmentTarget target;
-  std::unique_ptr<FragmentProgram, Destroy> programs[kFragmentCoverages];
-
-  const FragmentProgram* program(FragmentCoverage coverage) {
-    auto& made = programs[static_cast<int>(coverage)];
-    if (!made) {
-      made.reset(make_fragment_program(state, target, coverage));
-    }
-    return made.get();
-  }
-};
-
-// A recorded draw: its command with every pointer good until the frame is done, and its state.
-struct DrawRecord {
-  DrawCommand command;
-  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
+// What a draw needs besides its vertices; draws share it until state changes.
+struct DrawState {
   const VertexState* vertex = nullptr;
+  // The same number: vertices of the draws come out of one vertex job alike.
+  uint32_t vertex_group = 0;
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
   SetupState setup;
   ClipState clip;
+};
+
+// A recorded draw. All it points to is good until the frame is done.
+struct DrawRecord {
+  const DrawState* state = nullptr;
+  // Where attributes come from, perhaps together with those of other draws; of what else a command
+  // says only whether it draws points is of interest here.
+  const DrawCommand* sources = nullptr;
+  Primitive primitive = Primitive::kTriangles;
+  IndexType index_type = IndexType::kNone;
+  uint32_t first = 0, count = 0;
+  const std::byte* indices = nullptr;
+  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
 };
 
 struct PacketRange {
@@ -88,6 +82,9 @@ struct Packet {
 
 // How many primitives `count` vertices make (2.6.1).
 uint32_t primitive_count(Primitive primitive, uint32_t count);
+
+// How many vertices a primitive has that shares none with another; else 0.
+uint32_t corners_of(Primitive primitive);
 
 // Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.
 class FrontWorker;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/small.h"
@@ -27,6 +28,19 @@ uint32_t primitive_count(Primitive primitive, uint32_t count) {
       return count < 3 ? 0 : count - 2;
   }
   return 0;
+}
+
+uint32_t corners_of(Primitive primitive) {
+  switch (primitive) {
+    case Primitive::kPoints:
+      return 1;
+    case Primitive::kLines:
+      return 2;
+    case Primitive::kTriangles:
+      return 3;
+    default:
+      return 0;
+  }
 }
 
 namespace {
@@ -70,20 +84,19 @@ int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t
 }
 
 uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
-  const DrawCommand& command = draw.command;
-  switch (command.index_type) {
+  switch (draw.index_type) {
     case IndexType::kNone:
-      return command.first + vertex - draw.index_base;
+      return draw.first + vertex - draw.index_base;
     case IndexType::kUnsignedByte:
-      return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
+      return std::to_integer<uint32_t>(draw.indices[vertex]) - draw.index_base;
     case IndexType::kUnsignedShort: {
       uint16_t value;
-      std::memcpy(&value, command.indices + size_t{2} * vertex, sizeof(value));
+      std::memcpy(&value, draw.indices + size_t{2} * vertex, sizeof(value));
       return value - draw.index_base;
     }
     case IndexType::kUnsignedInt: {
       uint32_t value;
-      std::memcpy(&value, command.indices + size_t{4} * vertex, sizeof(value));
+      std::memcpy(&value, draw.indices + size_t{4} * vertex, sizeof(value));
       return value - draw.index_base;
     }
   }
@@ -92,7 +105,12 @@ uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
 
 }  // namespace
 
-// The scratch memory of one worker: the elements of the range at hand with a table that finds an
+// Whether the vertices of both draws can come out of one vertex job.
+bool share_job(const DrawRecord& a, const DrawRecord& b) {
+  return a.sources == b.sources && a.state->vertex_group == b.state->vertex_group;
+}
+
+// The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
  public:
@@ -100,8 +118,13 @@ class FrontWorker {
     packet.bins.reset(grid, tile_numbers_);
     packet.primitives.clear();
     packet.small.clear();
-    for (const PacketRange& range : packet.ranges) {
-      run_range(draws[range.draw], range, packet);
+    const std::vector<PacketRange>& ranges = packet.ranges;
+    for (size_t first = 0; first < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[first].draw];
+      size_t end = first + 1;
+      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw])) ++end;
+      run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
+      first = end;
     }
     packet.bins.close();
   }
@@ -126,51 +149,71 @@ class FrontWorker {
     return static_cast<uint16_t>(element_count_++);
   }
 
-  void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
-    ++generation_;
-    element_count_ = 0;
-    const Primitive primitive = draw.command.primitive;
-    int corners = 0;
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
+  // Lists the elements of a range, and of each corner of its primitives which of them it is.
+  void list_elements(const DrawRecord& draw, const PacketRange& range) {
+    for (uint32_t i = 0; i < range.primitive_count; ++i, ++primitive_count_) {
       uint32_t vertex[3] = {};
-      corners =
-          primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
-      for (int k = 0; k < corners; ++k) {
-        triangles_.corner[k][i] = local_vertex(element_index(draw, vertex[k]));
+      const int corners =
+          primitive_vertices(draw.primitive, range.first_primitive + i, draw.count, vertex);
+      // Lines and points may lie in the lanes behind the last triangle: no corner is left open.
+      for (int k = 0; k < 3; ++k) {
+        triangles_.corner[k][primitive_count_] =
+            k < corners ? local_vertex(element_index(draw, vertex[k])) : 0;
       }
     }
-    const int stride = draw.setup.layout.stride;
+  }
+
+  // Ranges of draws whose vertices come out of one job.
+  void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+                  Packet& packet) {
+    ++generation_;
+    element_count_ = primitive_count_ = 0;
+    for (const PacketRange& range : ranges) list_elements(draws[range.draw], range);
+    for (auto& corner : triangles_.corner) {
+      std::fill_n(corner.begin() + primitive_count_, kTriangleLanes, 0);
+    }
+    const DrawRecord& draw = draws[ranges[0].draw];
+    const ClipState& clip = draw.state->clip;
+    const int stride = clip.layout.stride;
     float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
     VertexJob job;
-    job.draw = &draw.command;
-    job.state = draw.vertex;
-    job.viewport = draw.clip.viewport;
-    job.guard = draw.clip.guard;
-    job.layout = draw.setup.layout;
+    job.draw = draw.sources;
+    job.state = draw.state->vertex;
+    job.viewport = clip.viewport;
+    job.guard = clip.guard;
+    job.layout = clip.layout;
     job.elements = elements_.data();
     job.count = element_count_;
     job.records = records;
     run_vertex_stages(job);
+    uint32_t first = 0;  // of a range's primitives in triangles_
+    for (const PacketRange& range : ranges) {
+      emit_range(draws[range.draw], range, records, first, packet);
+      first += range.primitive_count;
+    }
+  }
 
-    draws_small_ = draws_small(draw);
+  // Primitives from the records of their vertices.
+  void emit_range(const DrawRecord& draw, const PacketRange& range, const float* records,
+                  uint32_t first, Packet& packet) {
+    uint32_t unused[3];
+    const int corners = primitive_vertices(draw.primitive, 0, draw.count, unused);
+    draws_small_ = draws_small(*draw.state);
     if (corners == 3 && draws_small_) {
-      emit_triangles(draw, range, records, packet);
+      emit_triangles(*draw.state, range, records, first, packet);
       return;
     }
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      emit_corners(draw, range.draw, corners, records, i, packet);
+    for (uint32_t i = first; i < first + range.primitive_count; ++i) {
+      emit_corners(*draw.state, range.draw, corners, records, i, packet);
     }
   }
 
   // Triangles that are settled many at once, and the others.
-  void emit_triangles(const DrawRecord& draw, const PacketRange& range, const float* records,
-                      Packet& packet) {
-    for (auto& corner : triangles_.corner) {
-      std::fill_n(corner.begin() + range.primitive_count, kTriangleLanes, 0);
-    }
+  void emit_triangles(const DrawState& draw, const PacketRange& range, const float* records,
+                      uint32_t first, Packet& packet) {
     TriangleJob job;
     job.records = records;
-    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data();
+    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data() + first;
     job.count = range.primitive_count;
     job.fate = triangles_.fate.data();
     job.x = triangles_.x.data();
@@ -183,12 +226,12 @@ class FrontWorker {
       const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
       if (fate == TriangleFate::kNothing) continue;
       if (fate == TriangleFate::kGeneral) {
-        emit_corners(draw, range.draw, 3, records, i, packet);
+        emit_corners(draw, range.draw, 3, records, first + i, packet);
         continue;
       }
       SmallPrimitive small;
       for (int k = 0; k < 3; ++k) {
-        small.vertex[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * stride;
+        small.vertex[k] = records + static_cast<ptrdiff_t>(job.corner[k][i]) * stride;
       }
       small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
       small.x = static_cast<int16_t>(triangles_.x[i]);
@@ -201,8 +244,8 @@ class FrontWorker {
     }
   }
 
-  // Primitive i of the range, one by itself.
-  void emit_corners(const DrawRecord& draw, uint32_t draw_index, int corners, const float* records,
+  // Primitive i of triangles_, one by itself.
+  void emit_corners(const DrawState& draw, uint32_t draw_index, int corners, const float* records,
                     uint32_t i, Packet& packet) {
     const float* v[3] = {};
     uint32_t any = 0, all = ~0u;
@@ -217,7 +260,7 @@ class FrontWorker {
     if ((all & ~uint32_t{kOutcodeGuard}) == 0) emit(draw, draw_index, corners, v, any, packet);
   }
 
-  void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
+  void emit(const DrawState& draw, uint32_t draw_index, int corners, const float* v[3],
             uint32_t outcodes, Packet& packet) {
     PrimitiveRecord record;
     record.draw = draw_index;
@@ -261,7 +304,7 @@ class FrontWorker {
 
   Arena arena_;
   TileNumbers tile_numbers_;
-  uint32_t element_count_ = 0;
+  uint32_t element_count_ = 0, primitive_count_ = 0;
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   std::array<uint32_t, kPacketVertices> elements_;
   TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone

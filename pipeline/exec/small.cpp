@@ -15,18 +15,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 
-size_t ShadeSmall(const DrawRecord& draw, const SmallPrimitive* primitives,
-                  std::span<const uint32_t> entries, Tile& tile) {
-  SmallBatch batch(*draw.program, tile);
+size_t ShadeSmall(const std::vector<DrawRecord>& draws, const DrawState& state,
+                  const SmallPrimitive* primitives, std::span<const uint32_t> entries, Tile& tile) {
+  SmallBatch batch(*state.program, tile);
   PrimitivePlanes planes;
-  const uint32_t number = primitives[entries[0] & ~kSmallEntry].draw;
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
-    if (primitive.draw != number) break;
+    if (draws[primitive.draw].state != &state) break;
     const SmallCoverage coverage =
         small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
-    setup::HWY_NAMESPACE::small_planes(draw.setup, primitive, planes);
+    setup::HWY_NAMESPACE::small_planes(state.setup, primitive, planes);
     batch.add(planes, coverage);
   }
   batch.flush();
@@ -42,8 +41,8 @@ namespace fragment {
 
 HWY_EXPORT(ShadeSmall);
 
-using ShadeSmallFunction = size_t (*)(const DrawRecord&, const SmallPrimitive*,
-                                      std::span<const uint32_t>, Tile&);
+using ShadeSmallFunction = size_t (*)(const std::vector<DrawRecord>&, const DrawState&,
+                                      const SmallPrimitive*, std::span<const uint32_t>, Tile&);
 
 static ShadeSmallFunction resolve() {
   select_simd_target();
@@ -53,14 +52,15 @@ static ShadeSmallFunction resolve() {
 
 }  // namespace fragment
 
-bool draws_small(const DrawRecord& draw) {
+bool draws_small(const DrawState& draw) {
   return draw.setup.coverage == FragmentCoverage::kCentre && batches_small(*draw.program);
 }
 
-size_t shade_small(const DrawRecord& draw, const SmallPrimitive* primitives,
-                   std::span<const uint32_t> entries, Tile& tile) {
+size_t shade_small(const std::vector<DrawRecord>& draws, const DrawState& state,
+                   const SmallPrimitive* primitives, std::span<const uint32_t> entries,
+                   Tile& tile) {
   static const fragment::ShadeSmallFunction function = fragment::resolve();
-  return function(draw, primitives, entries, tile);
+  return function(draws, state, primitives, entries, tile);
 }
 
 }  // namespace clearpipe::pipeline

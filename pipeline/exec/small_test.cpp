@@ -3,6 +3,7 @@
 // selects.
 // SPDX-License-Identifier: MIT
 #include "pipeline/exec/small.h"
+#include "pipeline/exec/programs.h"
 
 #include <gtest/gtest.h>
 
@@ -133,7 +134,7 @@ Mesh random_mesh(Random& random, const VertexLayout& layout, bool w_changes) {
   return mesh;
 }
 
-void shade_one(const DrawRecord& draw, const SmallPrimitive& primitive, Tile& tile) {
+void shade_one(const DrawState& draw, const SmallPrimitive& primitive, Tile& tile) {
   const SmallCoverage small =
       small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
   Coverage coverage{};
@@ -158,9 +159,8 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     Random random(seed);
     const FragmentState state = random_fragment_state(random);
     ProgramHolder holder;
-    holder.state = state;
-    holder.target.has_depth = holder.target.has_stencil = true;
-    DrawRecord draw;
+    holder.assign(state, {true, true});
+    DrawState draw;
     draw.program = holder.program(FragmentCoverage::kCentre);
     draw.setup.inputs = fragment_inputs(*draw.program);
     draw.setup.mirror_height = 400;
@@ -186,7 +186,10 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     for (const uint32_t entry : mesh.entries) {
       shade_one(draw, mesh.primitives[entry & ~kSmallEntry], expected);
     }
-    ASSERT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), mesh.entries.size());
+    std::vector<DrawRecord> draws(1);
+    draws[0].state = &draw;
+    ASSERT_EQ(shade_small(draws, draw, mesh.primitives.data(), mesh.entries, tile),
+              mesh.entries.size());
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
     if (state.depth_write && state.depth_test && !state.alpha_test) {
       EXPECT_FALSE(same(tile, before)) << "seed " << seed;
@@ -195,22 +198,28 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
   EXPECT_GT(batched, 100);
 }
 
-// A run ends where a primitive is not small, or of another draw.
-TEST(Small, TakesOneDrawAtATime) {
+// A run ends where a primitive is not small, or of a draw with another state.
+TEST(Small, TakesOneStateAtATime) {
   ProgramHolder holder;
-  DrawRecord draw;
+  holder.assign({}, {});
+  DrawState draw;
   draw.program = holder.program(FragmentCoverage::kCentre);
   draw.setup.inputs = fragment_inputs(*draw.program);
   draw.setup.layout = make_vertex_layout({});
+  const DrawState other = draw;
+  std::vector<DrawRecord> draws(3);
+  draws[0].state = draws[1].state = &draw;
+  draws[2].state = &other;
   Random random(1);
   Mesh mesh = random_mesh(random, draw.setup.layout, false);
   OwnTile tile;
   tile.x = kTileX;
   tile.y = kTileY;
-  mesh.primitives[mesh.entries[7] & ~kSmallEntry].draw = 1;
-  EXPECT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), 7u);
+  mesh.primitives[mesh.entries[5] & ~kSmallEntry].draw = 1;
+  mesh.primitives[mesh.entries[7] & ~kSmallEntry].draw = 2;
+  EXPECT_EQ(shade_small(draws, draw, mesh.primitives.data(), mesh.entries, tile), 7u);
   mesh.entries[4] &= ~kSmallEntry;
-  EXPECT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), 4u);
+  EXPECT_EQ(shade_small(draws, draw, mesh.primitives.data(), mesh.entries, tile), 4u);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
@@ -143,7 +144,15 @@ void select_stages(const FragmentState& state, FragmentCoverage coverage, bool s
 
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage) {
-  auto* program = new FragmentProgram;
+  auto program = std::make_unique<FragmentProgram>();
+  remake_fragment_program(*program, state, target, coverage);
+  return program.release();
+}
+
+void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
+                             const FragmentTarget& target, FragmentCoverage coverage) {
+  FragmentProgram* program = &made;
+  static_cast<ProgramBase&>(*program) = {};
   program->depth_test = state.depth_test && target.has_depth;
   program->depth_write = program->depth_test && state.depth_write;
   program->depth_func = state.depth_func;
@@ -177,7 +186,6 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   program->usage = usage_of(*program);
-  return program;
 }
 
 bool batches_small(const FragmentProgram& program) { return program.batches_small; }

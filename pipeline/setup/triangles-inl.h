@@ -107,7 +107,7 @@ HWY_INLINE void setup_lanes(const SetupState& state, const TriangleJob& job, siz
   VecI any = zero, all = hn::Set(d, ~int32_t{kOutcodeGuard});
   MaskI far = none;
   for (int k = 0; k < 3; ++k) {
-    const VecI at = hn::Mul(hn::Load(d, job.corner[k] + i), hn::Set(d, state.layout.stride));
+    const VecI at = hn::Mul(hn::LoadU(d, job.corner[k] + i), hn::Set(d, state.layout.stride));
     const auto* codes = reinterpret_cast<const int32_t*>(job.records + vertex_record::kOutcode);
     const VecI outcode = hn::GatherIndex(d, codes, at);
     any = hn::Or(any, outcode);

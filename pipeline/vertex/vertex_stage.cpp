@@ -25,23 +25,26 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::vertex::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What holds for all batches of a job: constant attributes and outputs nobody computes.
+// What holds for all batches of a job: constant attributes and outputs nobody computes. Of a job
+// smaller than a batch, the lanes that are in use, in whole vectors.
 void prepare_batch(const VertexJob& job, const VertexPlan& plan, VertexBatch& batch) {
+  const size_t whole = hn::Lanes(hn::ScalableTag<float>());
+  const size_t count = std::min(kVertexBatch, (job.count + whole - 1) / whole * whole);
   for (int a = 0; a < kAttributeCount; ++a) {
     if ((plan.attributes >> a & 1) != 0) {
-      fill_constant_lanes(job.draw->attributes[a], batch.attribute[a]);
+      fill_constant_lanes(job.draw->attributes[a], batch.attribute[a], count);
     }
   }
-  std::fill_n(batch.point_size, kVertexBatch, 1.0f);
-  std::fill_n(batch.point_alpha, kVertexBatch, 1.0f);
-  std::fill_n(batch.fog, kVertexBatch, 0.0f);
+  std::fill_n(batch.point_size, count, 1.0f);
+  std::fill_n(batch.point_alpha, count, 1.0f);
+  std::fill_n(batch.fog, count, 0.0f);
   if (plan.points && (plan.attributes >> static_cast<int>(Attribute::kPointSize) & 1) == 0) {
-    std::fill_n(batch.attribute[static_cast<int>(Attribute::kPointSize)][0], kVertexBatch,
+    std::fill_n(batch.attribute[static_cast<int>(Attribute::kPointSize)][0], count,
                 job.state->point_size);
   }
   if (job.layout.clip_distance_offset != 0) {
     for (Lane& lane : batch.clip_distance) {
-      std::fill_n(lane, kVertexBatch, 0.0f);
+      std::fill_n(lane, count, 0.0f);
     }
   }
 }

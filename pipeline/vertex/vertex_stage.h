@@ -39,6 +39,9 @@ struct VertexLayout {
 
 VertexLayout make_vertex_layout(const VertexState& state);
 
+// Bit per Attribute that the vertex stages read in that state, but for the size of points.
+uint32_t vertex_attributes(const VertexState& state);
+
 // Which planes a vertex is outside of. User clip plane i is kOutcodeUser << i.
 enum Outcode : uint32_t {
   kOutcodeLeft = 1u << 0,
