@@ -22,9 +22,6 @@ SIZE = "320x240"  # smaller pictures are nothing but edges
 ALLOCATING = {
     "upload_new_565": "an image that is given anew gets memory of its own",
     "framebuffer_object": "a change of the framebuffer makes its target anew",
-    **dict.fromkeys(("stencil", "draws_blending_flips", "draws_textures_change", "draws_states_change", "states_new"),
-                    "a change of state makes its program anew"),
-    "model_bunny": "a frame of many primitives makes its program anew",
 }
 BLANK = ("clear", "fill_flat", "fill_flat_depth")  # of one colour by design
 
