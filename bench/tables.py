@@ -88,18 +88,20 @@ def summary(measurement):
 
 
 def new_states(measurement):
-    """The scene each of whose frames has a state of its own."""
-    if "states_new" not in measurement.results:
+    """The scene each of whose frames has a state of its own, beside the one whose frames share three."""
+    if "states_new" not in measurement.results or "states_seen" not in measurement.results:
         return ""
     rows = []
     for which in measurement.implementations:
         rounds = measurement.results["states_new"].get(which.name)
-        if rounds:
+        seen = measurement.median("states_seen", which, "median_ms")
+        if rounds and seen:
             worst = statistics.median(r["worst_ms"] for r in rounds)
             median = statistics.median(r["median_ms"] for r in rounds)
-            rows.append([which.name, number(median), number(worst), times(worst / median)])
-    return "What a new state costs: `states_new`.\n\n" + table(
-        ["implementation", "median frame, ms", "worst frame, ms (median of rounds)", "worst / median"], rows)
+            rows.append([which.name, number(median), number(worst), times(worst / median), number(seen), times(median / seen)])
+    return "What a new state costs: `states_new` beside `states_seen`.\n\n" + table(
+        ["implementation", "new: median frame, ms", "worst frame, ms (median of rounds)", "worst / median", "seen: median frame, ms",
+         "new / seen"], rows)
 
 
 def second_thread(measurement, chosen):
