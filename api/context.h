@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -78,6 +79,29 @@ enum class ImageError { kNone, kBadParameter, kBadMatch, kBadAccess, kBadAlloc }
 ImageError create_egl_image(Context* context, ImageSource source, unsigned name, int level,
                             const void* handle) noexcept;
 void destroy_egl_image(const void* handle) noexcept;
+
+// Pixels of the window system's that are shared as an EGLImage (EGL_KHR_image_pixmap): RGBA8, rows
+// from the bottom. Both calls may come from any thread, one at a time.
+class NativeImage {
+ public:
+  NativeImage(int image_width, int image_height, bool alpha)
+      : width(image_width), height(image_height), has_alpha(alpha) {}
+  virtual ~NativeImage() = default;
+  NativeImage(const NativeImage&) = delete;
+  NativeImage& operator=(const NativeImage&) = delete;
+  const int width, height;
+  const bool has_alpha;
+
+  // What the window system holds; false: it cannot be had.
+  virtual bool load(uint32_t* pixels) noexcept = 0;
+  // What a context drew, when it finishes or flushes.
+  virtual void store(const uint32_t* pixels) noexcept = 0;
+};
+ImageError create_egl_image(std::shared_ptr<NativeImage> native, const void* handle) noexcept;
+
+// All such images take over what the window system holds by now (eglWaitNative). A program that
+// makes a texture of one of them gets that besides.
+void load_native_images() noexcept;
 
 // eglBindTexImage (3.6 of EGL 1.5): the texture bound to the context's active unit gets the colours
 // of a surface as its levels, from the base level on, as a copy. With `mipmap`, a texture that

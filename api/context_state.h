@@ -28,6 +28,9 @@ struct FenceObject {
   uint64_t frame = 0;  // on the context's clock, when it was set
 };
 
+// What the context drew to images of the window system's comes there (native_image.h).
+void store_native_images(Context& context) noexcept;
+
 struct Context {
   std::shared_ptr<ShareGroup> share;
   State state;
@@ -46,6 +49,7 @@ struct Context {
   SurfaceOwner* surface_owner = nullptr;
   bool frame_expected = false;  // the owner wants to know when the surfaces are used again
   bool surface_drawn = false;   // since the owner was told
+  std::vector<EglImagePtr> native_images;  // used since their owners were told (native_image.h)
   pipeline::Target draw, read;
   FramebufferPtr framebuffer;  // null: the window-system framebuffer
   RenderbufferPtr renderbuffer;
@@ -90,6 +94,7 @@ struct Context {
   void tell_owner() {
     if (surface_drawn && surface_owner) surface_owner->surface_is_drawn();
     surface_drawn = false;
+    if (!native_images.empty()) store_native_images(*this);
   }
   // The first error sticks until it is asked for (2.5).
   void set_error(const Invalid& wrong) {

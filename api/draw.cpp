@@ -198,8 +198,26 @@ void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   if (!c.frame.draw(command)) c.set_error(kOutOfMemory);
 }
 
-// Rounds as the reference does, to even: 0.3 is 76, 0.9 is 230.
-uint32_t unorm8(float value) { return static_cast<uint32_t>(std::nearbyint(value * 255.0f)); }
+// A clear colour as the buffer keeps it. Rounds as the reference does, to even: 0.3 is 76, 0.9 is
+// 230.
+uint32_t clear_value(const pipeline::ColourBuffer& buffer, const Vec4& colour) {
+  const float component[4] = {colour.x, colour.y, colour.z, buffer.has_alpha ? colour.w : 1.0f};
+  uint32_t value = 0;
+  for (size_t c = 0; c < 4; ++c) {
+    value |= (buffer.srgb && c < 3 ? pipeline::linear_to_srgb(component[c])
+                                   : pipeline::round_component(buffer.format, c, component[c]))
+             << (8 * c);
+  }
+  return value;
+}
+
+// The same of depth. What fragments have of 32 bits is a product with 2^32 (depth_stencil-inl.h).
+uint32_t clear_value(const pipeline::DepthStencilBuffer& buffer, double depth) {
+  if (buffer.depth_bits == 32) {
+    return static_cast<uint32_t>(std::min(depth * 4294967296.0 + 0.5, 4294967295.0));
+  }
+  return static_cast<uint32_t>(depth * ((1 << buffer.depth_bits) - 1) + 0.5);
+}
 
 }  // namespace
 
@@ -256,7 +274,6 @@ void clear(Context& c, GLbitfield mask) {
     c.dirty &= ~static_cast<uint32_t>(kDirtyRaster);
   }
   const FramebufferState& fb = c.state.framebuffer;
-  const Vec4& colour = fb.clear_colour;
   pipeline::ClearCommand command;
   command.rect = c.raster_state.scissor;
   if (command.rect.x0 >= command.rect.x1 || command.rect.y0 >= command.rect.y1) return;
@@ -264,17 +281,14 @@ void clear(Context& c, GLbitfield mask) {
   command.colour = (mask & GL_COLOR_BUFFER_BIT) && c.draw.colour;
   command.depth = (mask & GL_DEPTH_BUFFER_BIT) && fb.depth_mask && planes && planes->has_depth;
   command.stencil = (mask & GL_STENCIL_BUFFER_BIT) && planes && planes->has_stencil;
-  const bool has_alpha = c.draw.colour && c.draw.colour->has_alpha;
-  const auto stored = c.draw.colour && c.draw.colour->srgb ? pipeline::linear_to_srgb : unorm8;
-  command.colour_value = stored(colour.x) | stored(colour.y) << 8 | stored(colour.z) << 16 |
-                         (has_alpha ? unorm8(colour.w) : 255u) << 24;
+  if (command.colour) command.colour_value = clear_value(*c.draw.colour, fb.clear_colour);
   command.colour_mask = 0;
   for (unsigned i = 0; i < 4; ++i) {
     if (fb.colour_mask[i]) {
       command.colour_mask = static_cast<uint8_t>(command.colour_mask | 1u << i);
     }
   }
-  command.depth_value = static_cast<uint32_t>(static_cast<double>(fb.clear_depth) * 0xffffff + 0.5);
+  if (planes) command.depth_value = clear_value(*planes, static_cast<double>(fb.clear_depth));
   command.stencil_value = static_cast<uint8_t>(fb.clear_stencil);
   command.stencil_mask = static_cast<uint8_t>(fb.stencil_mask);
   if (!command.colour && !command.depth && !command.stencil) return;
@@ -298,24 +312,24 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
   const int count = static_cast<int>(x1 - x0);
-  std::vector<uint32_t> rgba(format == GL_RGBA ? 0 : static_cast<size_t>(count));
+  const int64_t y0 = std::max<int64_t>(y, 0),
+                y1 = std::min<int64_t>(static_cast<int64_t>(y) + height, from.height);
   // Pixels outside of the surface are undefined: they are left alone (4.3.1).
-  for (int64_t row = 0; row < height; ++row) {
-    const int64_t from_y = y + row;
-    if (from_y < 0 || from_y >= from.height) continue;
-    std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
-    const auto read = [&](void* out) {
-      pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(from_y), count, out);
-    };
-    if (format == GL_RGBA) {
-      read(to);
-      continue;
-    }
-    read(rgba.data());
+  std::byte* to = static_cast<std::byte*>(pixels) + (y0 - y) * row_bytes + (x0 - x) * bytes;
+  if (y0 >= y1) return;
+  if (format == GL_RGBA) {
+    pipeline::read_rectangle(from, static_cast<int>(x0), static_cast<int>(y0), count,
+                             static_cast<int>(y1 - y0), to, static_cast<size_t>(row_bytes));
+    return;
+  }
+  std::vector<uint32_t> rgba(static_cast<size_t>(count));
+  for (int64_t row = y0; row < y1; ++row, to += row_bytes) {
+    pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, rgba.data());
+    std::byte* out = to;
     for (const uint32_t pixel : rgba) {
       const uint32_t packed = pack_bgra(pixel, type);
-      std::memcpy(to, &packed, static_cast<size_t>(bytes));
-      to += bytes;
+      std::memcpy(out, &packed, static_cast<size_t>(bytes));
+      out += bytes;
     }
   }
 }

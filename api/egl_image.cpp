@@ -6,7 +6,9 @@
 #include <map>
 
 #include "api/framebuffer.h"
+#include "api/native_image.h"
 #include "api/pixel_format.h"
+#include "api/renderbuffer_format.h"
 #include "api/texture_target.h"
 #include "api/validate_image.h"
 
@@ -142,6 +144,15 @@ ImageError create_egl_image(Context* context, ImageSource source, unsigned name,
   return ImageError::kBadAlloc;
 }
 
+ImageError create_egl_image(std::shared_ptr<NativeImage> native, const void* handle) noexcept try {
+  EglImagePtr image = make_native_image(std::move(native));
+  const ImageLock lock(table().mutex);
+  table().images[handle] = std::move(image);
+  return ImageError::kNone;
+} catch (...) {
+  return ImageError::kBadAlloc;
+}
+
 void destroy_egl_image(const void* handle) noexcept {
   EglImagePtr image;  // goes when the lock is gone
   const ImageLock lock(table().mutex);
@@ -193,6 +204,7 @@ void note_uses(Context& c, TextureObject& texture) {
   if (!texture.has_siblings) return;
   for (const TextureLevel& level : texture.level) {
     if (!level.sibling) continue;
+    note_native_image(c, level.sibling);
     const ImageLock lock(level.sibling->mutex);
     level.sibling->uses.note(c.clock);
   }
@@ -200,6 +212,7 @@ void note_uses(Context& c, TextureObject& texture) {
 
 void note_uses(Context& c, RenderbufferObject& renderbuffer) {
   if (!renderbuffer.sibling) return;
+  note_native_image(c, renderbuffer.sibling);
   const ImageLock lock(renderbuffer.sibling->mutex);
   renderbuffer.sibling->uses.note(c.clock);
 }
@@ -215,6 +228,9 @@ bool is_pending(const TextureObject& texture) {
 }
 
 bool may_write_in_place(Context& c, const TextureObject& texture, size_t bytes) {
+  if (texture.has_siblings) {
+    for (const TextureLevel& level : texture.level) note_native_image(c, level.sibling);
+  }
   if (!may_write_in_place(c, texture.uses, bytes)) return false;
   if (!texture.has_siblings) return true;
   for (const TextureLevel& level : texture.level) {
@@ -279,6 +295,7 @@ namespace exec {
 void egl_image_target_texture(Context& c, GLenum target, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
   if (!image) return c.set_error(kNoImage);
+  load_native_image(*image);
   TextureObject& texture = *bound_texture(c, target);
   finish_drawing_to(c, texture);
   auto levels = std::make_shared<pipeline::Image>();
@@ -300,6 +317,7 @@ void egl_image_target_texture(Context& c, GLenum target, const void* handle) {
 void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
   const EglImagePtr image = find_egl_image(handle);
   if (!image) return c.set_error(kNoImage);
+  load_native_image(*image);
   std::shared_ptr<pipeline::ColourBuffer> colour;
   if (!image->depth_stencil) {
     const ImageLock lock(image->mutex);
@@ -309,6 +327,7 @@ void egl_image_target_renderbuffer(Context& c, GLenum, const void* handle) {
     colour->pixels = image->memory;
     colour->has_alpha = image->format == GL_RGBA;
     colour->srgb = is_srgb(image->internal);
+    colour->format = renderbuffer_format(image->renderbuffer_internal).format;
   }
   RenderbufferObject& r = *c.renderbuffer;
   r.width = image->width;

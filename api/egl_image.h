@@ -11,6 +11,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "api/context.h"
 #include "api/context_state.h"
 
 namespace clearpipe::api {
@@ -24,7 +25,9 @@ struct EglImage {
 
   std::mutex mutex;  // guards the rest
   std::shared_ptr<uint32_t[]> memory;
-  FrameUses uses;  // of memory, by frames that draw with or to any sibling
+  std::shared_ptr<NativeImage> native;  // whose pixels these are copies of; never replaced
+  std::vector<uint32_t> known;          // what it had when last looked at (native_image.h)
+  FrameUses uses;                       // of memory, by frames that draw with or to any sibling
 };
 
 // The image of a handle that eglCreateImage returned, until eglDestroyImage; or null.

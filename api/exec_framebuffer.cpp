@@ -2,6 +2,7 @@
 // EXT_framebuffer_object).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <new>
 
 #include "api/exec.h"
@@ -67,10 +68,14 @@ void renderbuffer_storage_multisample(Context& c, GLenum, GLsizei samples, GLenu
     const int planes = std::max(kept, 1);
     if (format.colour) {
       colour = pipeline::make_colour_buffer(width, height, format.alpha, planes);
-      if (colour) colour->srgb = format.srgb;
+      if (colour) {
+        colour->srgb = format.srgb;
+        colour->format = format.format;
+      }
     } else {
       depth_stencil =
           pipeline::make_depth_stencil_buffer(width, height, format.depth, format.stencil, planes);
+      if (depth_stencil) depth_stencil->depth_bits = format.depth_bits;
     }
     if (!colour && !depth_stencil) throw std::bad_alloc();
   }
@@ -89,6 +94,7 @@ void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params)
   // Before there is storage, there are no components (table 8.nnn).
   const RenderbufferFormat format =
       r.colour || r.depth_stencil ? renderbuffer_format(r.internal) : RenderbufferFormat();
+  const std::array<int, 4> bits = pipeline::component_bits(format.format);
   switch (pname) {
     case GL_RENDERBUFFER_WIDTH_OES:
       *params = r.width;
@@ -103,16 +109,16 @@ void get_renderbuffer_parameter(Context& c, GLenum, GLenum pname, GLint* params)
       *params = r.samples;
       break;
     case GL_RENDERBUFFER_ALPHA_SIZE_OES:
-      *params = format.alpha ? 8 : 0;
+      *params = format.alpha ? bits[3] : 0;
       break;
     case GL_RENDERBUFFER_DEPTH_SIZE_OES:
-      *params = format.depth ? 24 : 0;
+      *params = format.depth ? format.depth_bits : 0;
       break;
     case GL_RENDERBUFFER_STENCIL_SIZE_OES:
       *params = format.stencil ? 8 : 0;
       break;
-    default:
-      *params = format.colour ? 8 : 0;
+    default:  // GL_RENDERBUFFER_RED_SIZE_OES and the two after it
+      *params = format.colour ? bits[pname - GL_RENDERBUFFER_RED_SIZE_OES] : 0;
       break;
   }
 }

@@ -137,13 +137,14 @@ bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]
 bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha && a->srgb == b->srgb && a->uniform == b->uniform &&
-         a->samples == b->samples;
+         a->has_alpha == b->has_alpha && a->srgb == b->srgb && a->format == b->format &&
+         a->uniform == b->uniform && a->samples == b->samples;
 }
 bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
   if (a == b || !a || !b) return a == b;
   return same(a->values, b->values) && a->width == b->width && a->height == b->height &&
-         a->has_depth == b->has_depth && a->has_stencil == b->has_stencil;
+         a->depth_bits == b->depth_bits && a->has_depth == b->has_depth &&
+         a->has_stencil == b->has_stencil;
 }
 bool same(const pipeline::Target& a, const pipeline::Target& b) {
   return same(a.colour.get(), b.colour.get()) &&

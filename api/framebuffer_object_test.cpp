@@ -195,14 +195,16 @@ TEST_F(FramebufferObjects, Completeness) {
 TEST_F(FramebufferObjects, FormatsOfRenderbuffers) {
   struct Row {
     GLenum format;
-    GLint rgb, alpha, depth, stencil;
+    GLint rgb, alpha, depth, stencil;  // `rgb` as three digits
   };
-  const Row rows[] = {{GL_RGB565_OES, 8, 0, 0, 0},
-                      {GL_RGBA4_OES, 8, 8, 0, 0},
-                      {GL_RGB5_A1_OES, 8, 8, 0, 0},
-                      {GL_RGB8_OES, 8, 0, 0, 0},
-                      {GL_RGBA8_OES, 8, 8, 0, 0},
-                      {GL_DEPTH_COMPONENT16_OES, 0, 0, 24, 0},
+  const Row rows[] = {{GL_RGB565_OES, 565, 0, 0, 0},
+                      {GL_RGBA4_OES, 444, 4, 0, 0},
+                      {GL_RGB5_A1_OES, 555, 1, 0, 0},
+                      {GL_RGB8_OES, 888, 0, 0, 0},
+                      {GL_RGBA8_OES, 888, 8, 0, 0},
+                      {GL_DEPTH_COMPONENT16_OES, 0, 0, 16, 0},
+                      {GL_DEPTH_COMPONENT24_OES, 0, 0, 24, 0},
+                      {GL_DEPTH_COMPONENT32_OES, 0, 0, 24, 0},
                       {GL_STENCIL_INDEX1_OES, 0, 0, 0, 8},
                       {GL_STENCIL_INDEX8_OES, 0, 0, 0, 8},
                       {GL_DEPTH24_STENCIL8_OES, 0, 0, 24, 8}};
@@ -215,10 +217,42 @@ TEST_F(FramebufferObjects, FormatsOfRenderbuffers) {
     };
     EXPECT_EQ(parameter(GL_RENDERBUFFER_INTERNAL_FORMAT_OES), static_cast<GLint>(row.format));
     EXPECT_EQ(parameter(GL_RENDERBUFFER_HEIGHT_OES), kSize);
-    EXPECT_EQ(parameter(GL_RENDERBUFFER_GREEN_SIZE_OES), row.rgb) << row.format;
+    EXPECT_EQ(parameter(GL_RENDERBUFFER_RED_SIZE_OES) * 100 +
+                  parameter(GL_RENDERBUFFER_GREEN_SIZE_OES) * 10 +
+                  parameter(GL_RENDERBUFFER_BLUE_SIZE_OES),
+              row.rgb)
+        << row.format;
     EXPECT_EQ(parameter(GL_RENDERBUFFER_ALPHA_SIZE_OES), row.alpha) << row.format;
     EXPECT_EQ(parameter(GL_RENDERBUFFER_DEPTH_SIZE_OES), row.depth) << row.format;
     EXPECT_EQ(parameter(GL_RENDERBUFFER_STENCIL_SIZE_OES), row.stencil) << row.format;
+  }
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
+// A renderbuffer holds the bits it says: colours are truncated, clear colours rounded.
+TEST_F(FramebufferObjects, RenderbuffersOfFewerBits) {
+  struct Row {
+    GLenum format;
+    uint32_t drawn, cleared;
+  };
+  // Of 127, 126, 125 and 124 of 255.
+  const Row rows[] = {{GL_RGB565_OES, 0xff7b7d7bu, 0xff7b7d7bu},
+                      {GL_RGBA4_OES, 0x77777777u, 0x77777777u},
+                      {GL_RGB5_A1_OES, 0x007b7b7bu, 0x007b7b7bu},
+                      {GL_RGBA8_OES, 0x7c7d7e7fu, 0x7c7d7e7fu}};
+  for (const Row& row : rows) {
+    framebuffer();
+    attach_renderbuffer(kColourPoint, row.format);
+    glClearColor(127 / 255.0f, 126 / 255.0f, 125 / 255.0f, 124 / 255.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(pixel(3, 3), row.cleared) << std::hex << row.format;
+    clear_to(0, 0, 0);
+    glColor4f(127 / 255.0f, 126 / 255.0f, 125 / 255.0f, 124 / 255.0f);
+    draw_quad();
+    EXPECT_EQ(pixel(3, 3), row.drawn) << std::hex << row.format;
+    EXPECT_EQ(get(GL_BLUE_BITS), row.format == GL_RGBA8_OES   ? 8
+                                 : row.format == GL_RGBA4_OES ? 4
+                                                              : 5);
   }
   EXPECT_ERROR(GL_NO_ERROR);
 }

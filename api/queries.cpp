@@ -44,6 +44,11 @@ void put_boolean(const Out& out, std::initializer_list<bool> values) {
 }
 void put_vec4(const Out& out, const Vec4& v) { put_colour(out, {v.x, v.y, v.z, v.w}); }
 
+GLint colour_bits(const pipeline::Target& target, size_t component) {
+  if (!target.colour || (component == 3 && !target.colour->has_alpha)) return 0;
+  return pipeline::component_bits(target.colour->format)[component];
+}
+
 const Mat4* matrix_of(const State& s, size_t active, GLenum pname) {
   switch (pname) {
     case GL_MODELVIEW_MATRIX:

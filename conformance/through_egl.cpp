@@ -8,10 +8,13 @@
 #include <dlfcn.h>
 #include <link.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace clearpipe::conformance {
 
@@ -31,13 +34,14 @@ void keep_libraries() {
 class ThroughEgl final : public Implementation {
  public:
   // Opens the display of the vendor of that name, or, for null, the surfaceless one.
-  ThroughEgl(const char* vendor, int samples) {
+  ThroughEgl(const char* vendor, const Buffers& buffers) : buffers_(buffers) {
     library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library_ == nullptr) throw std::runtime_error(dlerror());
     const auto egl = [&](const char* symbol) { return dlsym(library_, symbol); };
     get_proc_address_ = reinterpret_cast<decltype(&eglGetProcAddress)>(egl("eglGetProcAddress"));
     get_error_ = reinterpret_cast<decltype(&eglGetError)>(egl("eglGetError"));
     choose_config_ = reinterpret_cast<decltype(&eglChooseConfig)>(egl("eglChooseConfig"));
+    get_config_attrib_ = reinterpret_cast<decltype(&eglGetConfigAttrib)>(egl("eglGetConfigAttrib"));
     create_context_ = reinterpret_cast<decltype(&eglCreateContext)>(egl("eglCreateContext"));
     destroy_context_ = reinterpret_cast<decltype(&eglDestroyContext)>(egl("eglDestroyContext"));
     create_pbuffer_ =
@@ -56,23 +60,7 @@ class ThroughEgl final : public Implementation {
       display_ = get_platform_display_(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
       check(display_ != EGL_NO_DISPLAY && initialize_(display_, nullptr, nullptr), "eglInitialize");
     }
-    const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                             EGL_PBUFFER_BIT,
-                             EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_ES_BIT,
-                             EGL_RED_SIZE,
-                             8,
-                             EGL_ALPHA_SIZE,
-                             8,
-                             EGL_DEPTH_SIZE,
-                             24,
-                             EGL_STENCIL_SIZE,
-                             8,
-                             EGL_SAMPLES,
-                             samples,
-                             EGL_NONE};
-    EGLint count = 0;
-    check(choose_config_(display_, wanted, &config_, 1, &count) && count == 1, "eglChooseConfig");
+    choose_config();
     gl_ = load_gl(
         [&](const char* symbol) { return reinterpret_cast<void*>(get_proc_address_(symbol)); });
   }
@@ -88,7 +76,13 @@ class ThroughEgl final : public Implementation {
     end();
     context_ = create_context_(display_, config_, EGL_NO_CONTEXT, nullptr);
     check(context_ != EGL_NO_CONTEXT, "eglCreateContext");
-    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    const EGLint size[] = {EGL_WIDTH,
+                           width,
+                           EGL_HEIGHT,
+                           height,
+                           buffers_.srgb ? EGL_GL_COLORSPACE : EGL_NONE,
+                           EGL_GL_COLORSPACE_SRGB,
+                           EGL_NONE};
     surface_ = create_pbuffer_(display_, config_, size);
     check(surface_ != EGL_NO_SURFACE, "eglCreatePbufferSurface");
     check(make_current_(display_, surface_, surface_, context_), "eglMakeCurrent");
@@ -132,12 +126,41 @@ class ThroughEgl final : public Implementation {
     throw std::runtime_error("no EGL software device of " + vendor);
   }
 
+  // The first config that has exactly what is wanted.
+  void choose_config() {
+    const std::array<std::pair<EGLint, EGLint>, 7> wanted = {{{EGL_RED_SIZE, buffers_.red},
+                                                              {EGL_GREEN_SIZE, buffers_.green},
+                                                              {EGL_BLUE_SIZE, buffers_.blue},
+                                                              {EGL_ALPHA_SIZE, buffers_.alpha},
+                                                              {EGL_DEPTH_SIZE, buffers_.depth},
+                                                              {EGL_STENCIL_SIZE, buffers_.stencil},
+                                                              {EGL_SAMPLES, buffers_.samples}}};
+    std::vector<EGLint> list = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                EGL_OPENGL_ES_BIT};
+    for (const auto& [attribute, value] : wanted) list.insert(list.end(), {attribute, value});
+    list.push_back(EGL_NONE);
+    std::array<EGLConfig, 256> configs{};
+    EGLint count = 0;
+    check(choose_config_(display_, list.data(), configs.data(), 256, &count), "eglChooseConfig");
+    for (EGLint i = 0; i < count && config_ == nullptr; ++i) {
+      const EGLConfig candidate = configs[static_cast<size_t>(i)];
+      const bool fits = std::all_of(wanted.begin(), wanted.end(), [&](const auto& want) {
+        EGLint value = -1;
+        get_config_attrib_(display_, candidate, want.first, &value);
+        return value == want.second;
+      });
+      if (fits) config_ = candidate;
+    }
+    check(config_ != nullptr, "eglChooseConfig");
+  }
+
   void check(bool good, const char* call) {
     if (good) return;
     throw std::runtime_error(std::string(call) + " failed, EGL error " +
                              std::to_string(get_error_()));
   }
 
+  const Buffers buffers_;
   void* library_ = nullptr;
   decltype(&eglGetProcAddress) get_proc_address_;
   decltype(&eglGetError) get_error_;
@@ -145,6 +168,7 @@ class ThroughEgl final : public Implementation {
   decltype(&eglInitialize) initialize_;
   decltype(&eglQueryString) query_string_;
   decltype(&eglChooseConfig) choose_config_;
+  decltype(&eglGetConfigAttrib) get_config_attrib_;
   decltype(&eglCreateContext) create_context_;
   decltype(&eglDestroyContext) destroy_context_;
   decltype(&eglCreatePbufferSurface) create_pbuffer_;
@@ -161,13 +185,19 @@ class ThroughEgl final : public Implementation {
 
 }  // namespace
 
+std::unique_ptr<Implementation> open_through_egl(const Buffers& buffers) {
+  return std::make_unique<ThroughEgl>(nullptr, buffers);
+}
 std::unique_ptr<Implementation> open_through_egl(int samples) {
-  return std::make_unique<ThroughEgl>(nullptr, samples);
+  return open_through_egl(Buffers{.samples = samples});
 }
 
-std::unique_ptr<Implementation> open_mesa_through_egl(int samples) {
+std::unique_ptr<Implementation> open_mesa_through_egl(const Buffers& buffers) {
   setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-  return std::make_unique<ThroughEgl>("Mesa Project", samples);
+  return std::make_unique<ThroughEgl>("Mesa Project", buffers);
+}
+std::unique_ptr<Implementation> open_mesa_through_egl(int samples) {
+  return open_mesa_through_egl(Buffers{.samples = samples});
 }
 
 }  // namespace clearpipe::conformance

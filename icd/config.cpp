@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
+#include "icd/lock_surface.h"
 #include "pipeline/surface.h"
 
 namespace clearpipe::icd {
@@ -13,7 +15,7 @@ namespace clearpipe::icd {
 namespace {
 
 // How eglChooseConfig compares an attribute (table 3.4).
-enum class Match { kAtLeast, kExact, kMask, kIgnored };
+enum class Match { kAtLeast, kExact, kMask, kFormat, kIgnored };
 
 struct Criterion {
   EGLint attribute;
@@ -37,6 +39,7 @@ constexpr std::array kDefaults = {
     Criterion{EGL_CONFORMANT, Match::kMask, 0},
     Criterion{EGL_DEPTH_SIZE, Match::kAtLeast, 0},
     Criterion{EGL_LEVEL, Match::kExact, 0},
+    Criterion{EGL_MATCH_FORMAT_KHR, Match::kFormat, EGL_DONT_CARE},
     Criterion{EGL_MATCH_NATIVE_PIXMAP, Match::kIgnored, EGL_NONE},
     Criterion{EGL_MAX_SWAP_INTERVAL, Match::kExact, EGL_DONT_CARE},
     Criterion{EGL_MIN_SWAP_INTERVAL, Match::kExact, EGL_DONT_CARE},
@@ -65,7 +68,8 @@ bool recognized(EGLint attribute, EGLint value) {
       EGL_OPENGL_ES_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_ES3_BIT | EGL_OPENVG_BIT | EGL_OPENGL_BIT;
   constexpr EGLint kSurfaceTypes =
       EGL_WINDOW_BIT | EGL_PIXMAP_BIT | EGL_PBUFFER_BIT | EGL_MULTISAMPLE_RESOLVE_BOX_BIT |
-      EGL_SWAP_BEHAVIOR_PRESERVED_BIT | EGL_VG_COLORSPACE_LINEAR_BIT | EGL_VG_ALPHA_FORMAT_PRE_BIT;
+      EGL_SWAP_BEHAVIOR_PRESERVED_BIT | EGL_VG_COLORSPACE_LINEAR_BIT | EGL_VG_ALPHA_FORMAT_PRE_BIT |
+      EGL_LOCK_SURFACE_BIT_KHR | EGL_OPTIMAL_FORMAT_BIT_KHR;
   if (value == EGL_DONT_CARE) {
     return attribute != EGL_LEVEL && attribute != EGL_MATCH_NATIVE_PIXMAP;
   }
@@ -75,6 +79,9 @@ bool recognized(EGLint attribute, EGLint value) {
     case EGL_NATIVE_RENDERABLE:
     case EGL_Y_INVERTED_NOK:
       return value == EGL_FALSE || value == EGL_TRUE;
+    case EGL_MATCH_FORMAT_KHR:
+      return value == EGL_NONE ||
+             (value >= EGL_FORMAT_RGB_565_EXACT_KHR && value <= EGL_FORMAT_RGBA_8888_KHR);
     case EGL_COLOR_BUFFER_TYPE:
       return value == EGL_RGB_BUFFER || value == EGL_LUMINANCE_BUFFER;
     case EGL_CONFIG_CAVEAT:
@@ -103,6 +110,16 @@ bool recognized(EGLint attribute, EGLint value) {
   }
 }
 
+struct ColourSizes {
+  EGLint red, green, blue, alpha;
+  pipeline::ColourFormat format;
+};
+constexpr ColourSizes kColours[] = {
+    {8, 8, 8, 8, pipeline::ColourFormat::kRgba8},  {8, 8, 8, 0, pipeline::ColourFormat::kRgba8},
+    {5, 6, 5, 0, pipeline::ColourFormat::kRgb565}, {5, 5, 5, 1, pipeline::ColourFormat::kRgb5A1},
+    {4, 4, 4, 4, pipeline::ColourFormat::kRgba4},
+};
+
 bool matches(const Config& config, const Criterion& criterion) {
   if (criterion.match == Match::kIgnored || criterion.value == EGL_DONT_CARE) return true;
   EGLint value = 0;
@@ -114,6 +131,8 @@ bool matches(const Config& config, const Criterion& criterion) {
       return value == criterion.value;
     case Match::kMask:
       return (value & criterion.value) == criterion.value;
+    case Match::kFormat:
+      return matches_format(config, criterion.value);
     case Match::kIgnored:
       break;
   }
@@ -123,13 +142,20 @@ bool matches(const Config& config, const Criterion& criterion) {
 }  // namespace
 
 std::vector<Config> offscreen_configs() {
+  // A depth of 32 bits leaves no room for stencil (pipeline/surface.h), and one of 16 with stencil
+  // would be no smaller than one of 24.
+  constexpr std::pair<EGLint, EGLint> kDepthStencil[] = {{0, 0},  {16, 0}, {24, 0},
+                                                         {32, 0}, {0, 8},  {24, 8}};
   std::vector<Config> list;
   for (const EGLint samples : {0, pipeline::kSampleCount}) {
-    for (const EGLint alpha : {8, 0}) {
-      for (const auto& [depth, stencil] :
-           {std::pair<EGLint, EGLint>{0, 0}, {24, 0}, {0, 8}, {24, 8}}) {
+    for (const ColourSizes& colour : kColours) {
+      for (const auto& [depth, stencil] : kDepthStencil) {
         Config config;
-        config.alpha = alpha;
+        config.red = colour.red;
+        config.green = colour.green;
+        config.blue = colour.blue;
+        config.alpha = colour.alpha;
+        config.format = colour.format;
         config.depth = depth;
         config.stencil = stencil;
         config.samples = samples;
@@ -191,6 +217,9 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
     case EGL_NATIVE_RENDERABLE:
       value = config.visual_type != EGL_NONE ? EGL_TRUE : EGL_FALSE;
       break;
+    case EGL_MATCH_FORMAT_KHR:
+      value = mapped_format(config);
+      break;
     case EGL_NATIVE_VISUAL_ID:
       value = config.visual_id;
       break;
@@ -222,6 +251,9 @@ bool config_attrib(const Config& config, EGLint attribute, EGLint& value) {
       // Posting copies: a surface keeps its pixels, so it can promise to.
       value = EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT | config.native_surfaces;
       if (config.samples > 0) value |= EGL_MULTISAMPLE_RESOLVE_BOX_BIT;
+      if (is_lockable(config)) value |= EGL_LOCK_SURFACE_BIT_KHR;
+      // The pixels of these are only put in another order.
+      if (is_lockable(config) && config.red == 8) value |= EGL_OPTIMAL_FORMAT_BIT_KHR;
       break;
     default:
       return false;

@@ -9,11 +9,14 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/colour_format.h"
+
 namespace clearpipe::icd {
 
 struct Config {
   EGLint id = 0;
   EGLint red = 8, green = 8, blue = 8, alpha = 8;
+  pipeline::ColourFormat format = pipeline::ColourFormat::kRgba8;  // of these sizes
   EGLint depth = 0, stencil = 0;
   EGLint samples = 0;  // of the multisample buffer, if there is one
   // What the platform can make of it, besides pbuffers: EGL_WINDOW_BIT, EGL_PIXMAP_BIT; and the

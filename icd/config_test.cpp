@@ -53,6 +53,7 @@ TEST_F(ConfigTest, EveryConfigIsConsistent) {
     EXPECT_EQ(attrib(c, EGL_BUFFER_SIZE), attrib(c, EGL_RED_SIZE) + attrib(c, EGL_GREEN_SIZE) +
                                               attrib(c, EGL_BLUE_SIZE) + attrib(c, EGL_ALPHA_SIZE));
     EXPECT_TRUE(attrib(c, EGL_SURFACE_TYPE) & EGL_PBUFFER_BIT);
+    EXPECT_LE(attrib(c, EGL_DEPTH_SIZE) + attrib(c, EGL_STENCIL_SIZE), 32);
     EXPECT_EQ(attrib(c, EGL_RENDERABLE_TYPE), EGL_OPENGL_ES_BIT);
     EXPECT_EQ(attrib(c, EGL_CONFORMANT) & ~attrib(c, EGL_RENDERABLE_TYPE), 0);
     EXPECT_EQ(attrib(c, EGL_SAMPLES), attrib(c, EGL_SAMPLE_BUFFERS) == 0 ? 0 : 4);
@@ -107,12 +108,17 @@ TEST_F(ConfigTest, GetConfigAttribErrors) {
 // Table 3.4: at least, exactly, mask.
 TEST_F(ConfigTest, Selection) {
   EXPECT_EQ(chosen({}).size(), all().size());
-  for (const EGLConfig c : chosen({EGL_ALPHA_SIZE, 1})) EXPECT_EQ(attrib(c, EGL_ALPHA_SIZE), 8);
-  for (const EGLConfig c : chosen({EGL_DEPTH_SIZE, 16})) EXPECT_EQ(attrib(c, EGL_DEPTH_SIZE), 24);
+  for (const EGLConfig c : chosen({EGL_ALPHA_SIZE, 1})) EXPECT_GE(attrib(c, EGL_ALPHA_SIZE), 1);
+  for (const EGLConfig c : chosen({EGL_ALPHA_SIZE, 5})) EXPECT_EQ(attrib(c, EGL_ALPHA_SIZE), 8);
+  for (const EGLConfig c : chosen({EGL_DEPTH_SIZE, 16})) EXPECT_GE(attrib(c, EGL_DEPTH_SIZE), 16);
+  for (const EGLConfig c : chosen({EGL_DEPTH_SIZE, 17, EGL_STENCIL_SIZE, 1})) {
+    EXPECT_EQ(attrib(c, EGL_DEPTH_SIZE), 24);
+  }
   for (const EGLConfig c : chosen({EGL_STENCIL_SIZE, 1})) EXPECT_EQ(attrib(c, EGL_STENCIL_SIZE), 8);
   EXPECT_FALSE(chosen({EGL_ALPHA_SIZE, 1}).empty());
   EXPECT_TRUE(chosen({EGL_RED_SIZE, 9}).empty());
-  EXPECT_TRUE(chosen({EGL_DEPTH_SIZE, 25}).empty());
+  EXPECT_TRUE(chosen({EGL_DEPTH_SIZE, 33}).empty());
+  EXPECT_TRUE(chosen({EGL_DEPTH_SIZE, 25, EGL_STENCIL_SIZE, 1}).empty());
   for (const EGLint attribute : {EGL_SAMPLES, EGL_SAMPLE_BUFFERS}) {
     const auto multisampled = chosen({attribute, 1});
     EXPECT_EQ(multisampled.size() * 2, all().size());
@@ -129,6 +135,34 @@ TEST_F(ConfigTest, Selection) {
   EXPECT_TRUE(chosen({EGL_CONFIG_CAVEAT, EGL_SLOW_CONFIG}).empty());
   EXPECT_TRUE(chosen({EGL_TRANSPARENT_TYPE, EGL_TRANSPARENT_RGB}).empty());
   EXPECT_EQ(chosen({EGL_MATCH_NATIVE_PIXMAP, EGL_NONE}).size(), all().size());
+}
+
+// Every size of colour with every size of depth and stencil, with and without samples, once.
+TEST_F(ConfigTest, AllSizes) {
+  std::set<std::array<EGLint, 7>> expected, found;
+  for (const auto& [r, g, b, a] : std::vector<std::array<EGLint, 4>>{
+           {8, 8, 8, 8}, {8, 8, 8, 0}, {5, 6, 5, 0}, {5, 5, 5, 1}, {4, 4, 4, 4}}) {
+    for (const auto& [depth, stencil] :
+         std::vector<std::array<EGLint, 2>>{{0, 0}, {16, 0}, {24, 0}, {32, 0}, {0, 8}, {24, 8}}) {
+      for (const EGLint samples : {0, 4}) expected.insert({r, g, b, a, depth, stencil, samples});
+    }
+  }
+  for (const EGLConfig c : all()) {
+    const bool is_new =
+        found
+            .insert({attrib(c, EGL_RED_SIZE), attrib(c, EGL_GREEN_SIZE), attrib(c, EGL_BLUE_SIZE),
+                     attrib(c, EGL_ALPHA_SIZE), attrib(c, EGL_DEPTH_SIZE),
+                     attrib(c, EGL_STENCIL_SIZE), attrib(c, EGL_SAMPLES)})
+            .second;
+    EXPECT_TRUE(is_new);
+  }
+  EXPECT_EQ(found, expected);
+  // Who asks for at least 5, 6, 5 gets more if there is more; who asks for 16 bits in all, those.
+  EXPECT_EQ(
+      attrib(chosen({EGL_RED_SIZE, 5, EGL_GREEN_SIZE, 6, EGL_BLUE_SIZE, 5})[0], EGL_BUFFER_SIZE),
+      24);
+  EXPECT_EQ(attrib(chosen({EGL_BUFFER_SIZE, 16})[0], EGL_GREEN_SIZE), 6);
+  EXPECT_EQ(attrib(chosen({EGL_DEPTH_SIZE, 1})[0], EGL_DEPTH_SIZE), 16);
 }
 
 TEST_F(ConfigTest, ANullListAsksForWindows) {
@@ -216,9 +250,9 @@ TEST_F(ConfigTest, Sorting) {
                                  attrib(c, EGL_STENCIL_SIZE),
                                  attrib(c, EGL_CONFIG_ID)};
   };
-  for (const EGLint red : {EGL_DONT_CARE, 0, 1, 8}) {
-    for (const EGLint alpha : {EGL_DONT_CARE, 0, 1, 8}) {
-      for (const EGLint depth : {0, 1, 24, -4}) {
+  for (const EGLint red : {EGL_DONT_CARE, 0, 1, 5, 8}) {
+    for (const EGLint alpha : {EGL_DONT_CARE, 0, 1, 4, 8}) {
+      for (const EGLint depth : {0, 1, 24, 32, -4}) {
         std::vector<EGLint> request = {EGL_RED_SIZE,   red,  EGL_ALPHA_SIZE, alpha,
                                        EGL_DEPTH_SIZE, depth};
         if (depth < 0) request = {EGL_RED_SIZE, red, EGL_ALPHA_SIZE, alpha, EGL_SAMPLES, -depth};

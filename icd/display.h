@@ -17,6 +17,7 @@
 
 #include "api/context.h"
 #include "icd/context_attributes.h"
+#include "icd/lock_surface.h"
 #include "icd/platform.h"
 #include "icd/sync.h"
 #include "pipeline/surface.h"
@@ -43,8 +44,10 @@ struct Surface : Object {
   std::weak_ptr<api::SurfaceTexture> texture;  // expired: it is bound to none
   EGLint gl_colorspace = EGL_GL_COLORSPACE_LINEAR;
   EGLint swap_behavior = EGL_BUFFER_PRESERVED;
+  bool swap_behavior_is_set = false;  // by the program
   EGLint multisample_resolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
   EGLint mipmap_level = 0;
+  std::unique_ptr<SurfaceLock> lock;  // EGL_KHR_lock_surface3: null while it is not locked
 
   // Of windows and pixmaps.
   enum class Kind { kPbuffer, kWindow, kPixmap };
@@ -100,6 +103,8 @@ struct Display {
   std::vector<std::unique_ptr<Context>> contexts;
   std::vector<std::shared_ptr<Sync>> syncs;
   std::vector<std::unique_ptr<Image>> images;
+  // Of images, which may live on in textures: to be closed with the display.
+  std::vector<std::weak_ptr<NativeSurface>> image_pixmaps;
   std::map<const void*, EGLLabelKHR> labels;  // of the display and its objects (EGL_KHR_debug)
 
   explicit Display(const Origin& display_origin) : origin(display_origin) {}

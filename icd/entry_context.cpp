@@ -118,7 +118,8 @@ EGLBoolean MakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLCont
   if (context->current && thread.context != context) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   for (const Surface* surface : {draw_surface, read_surface}) {
     if (surface == nullptr) continue;
-    if (bound_elsewhere(*surface, thread.context)) return fail(EGL_BAD_ACCESS, EGL_FALSE);
+    if (surface->lock || bound_elsewhere(*surface, thread.context))
+      return fail(EGL_BAD_ACCESS, EGL_FALSE);
     if (!compatible(*context, *surface)) return fail(EGL_BAD_MATCH, EGL_FALSE);
   }
   for (Surface* surface : {draw_surface, read_surface}) {
@@ -208,6 +209,7 @@ EGLBoolean WaitNative(EGLint engine) noexcept {
   const Context* context = thread.context;
   if (context == nullptr) return succeed(EGL_TRUE);
   if (!surfaces_valid(*context)) return fail(EGL_BAD_CURRENT_SURFACE, EGL_FALSE);
+  api::load_native_images();
   for (const Surface* surface : {context->draw, context->read}) {
     if (surface != nullptr && surface->kind == Surface::Kind::kPixmap) {
       surface->native->fetch(*surface->target.colour);

@@ -22,8 +22,7 @@ std::string extensions_of(const Display& display) {
   };
   std::string list = kOffered<Offered::display>.data();
   if (has(EGL_WINDOW_BIT)) list += kOffered<Offered::windows>.data();
-  list += has(EGL_PIXMAP_BIT) ? kOffered<Offered::pixmaps>.data()
-                              : kOffered<Offered::no_pixmaps>.data();
+  if (has(EGL_PIXMAP_BIT)) list += kOffered<Offered::pixmaps>.data();
   return list;
 }
 
@@ -132,6 +131,10 @@ EGLBoolean Terminate(EGLDisplay dpy) noexcept {
   for (const auto& sync : display->syncs) sync->signal();  // no thread waits for what is gone
   display->syncs.clear();
   display->images.clear();
+  for (const auto& pixmap : display->image_pixmaps) {
+    if (const auto open = pixmap.lock()) open->close();
+  }
+  display->image_pixmaps.clear();
   for (auto label = display->labels.begin(); label != display->labels.end();) {
     label = label->first == display ? std::next(label) : display->labels.erase(label);
   }

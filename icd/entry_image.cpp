@@ -1,15 +1,23 @@
 // EGL commands on images (3.9), and the forms that EGL_KHR_image_base has of them.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <new>
 #include <optional>
 
 #include "icd/entry.h"
+#include "icd/pixmap_image.h"
 
 namespace clearpipe::icd::entry {
 
 namespace {
+
+bool has_pixmaps(const Display& display) {
+  return std::any_of(display.configs.begin(), display.configs.end(), [](const Config& config) {
+    return (config.native_surfaces & EGL_PIXMAP_BIT) != 0;
+  });
+}
 
 std::optional<api::ImageSource> source_of(EGLenum target) {  // table 3.10
   switch (target) {
@@ -72,6 +80,32 @@ EGLint egl_error(api::ImageError error) {
   return EGL_BAD_ALLOC;
 }
 
+// An image of a native pixmap (EGL_KHR_image_pixmap); attributes other than EGL_IMAGE_PRESERVED are
+// ignored.
+template <class Attribute>
+EGLImage create_pixmap_image(Display& display, EGLClientBuffer pixmap, const Attribute* list) {
+  for (; list != nullptr && *list != EGL_NONE; list += 2) {
+    if (list[0] == EGL_IMAGE_PRESERVED && list[1] != EGL_FALSE && list[1] != EGL_TRUE) {
+      return fail(EGL_BAD_PARAMETER, EGL_NO_IMAGE);
+    }
+  }
+  std::shared_ptr<NativeSurface> native;
+  if (display.platform->make_pixmap(Config(), pixmap, false, native) != EGL_SUCCESS) {
+    return fail(EGL_BAD_PARAMETER, EGL_NO_IMAGE);
+  }
+  const std::optional<Size> size = native->size();
+  if (!size) return fail(EGL_BAD_PARAMETER, EGL_NO_IMAGE);
+  std::erase_if(display.image_pixmaps, [](const auto& old) { return old.expired(); });
+  display.image_pixmaps.push_back(native);
+  auto image = std::make_unique<Image>(Object::next_handle());
+  display.images.reserve(display.images.size() + 1);
+  const api::ImageError error =
+      api::create_egl_image(make_pixmap_image(std::move(native), *size), image->handle);
+  if (error != api::ImageError::kNone) return fail(egl_error(error), EGL_NO_IMAGE);
+  display.images.push_back(std::move(image));
+  return succeed<EGLImage>(display.images.back()->handle);
+}
+
 template <class Attribute>
 EGLImage create_image(EGLDisplay dpy, EGLContext ctx, EGLenum target, EGLClientBuffer buffer,
                       const Attribute* attrib_list) noexcept try {
@@ -81,6 +115,10 @@ EGLImage create_image(EGLDisplay dpy, EGLContext ctx, EGLenum target, EGLClientB
   if (display == nullptr) return EGL_NO_IMAGE;
   const Context* context = find_context(ctx);
   if (ctx != EGL_NO_CONTEXT && context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_NO_IMAGE);
+  if (target == EGL_NATIVE_PIXMAP_KHR && has_pixmaps(*display)) {
+    if (ctx != EGL_NO_CONTEXT) return fail(EGL_BAD_PARAMETER, EGL_NO_IMAGE);
+    return create_pixmap_image(*display, buffer, attrib_list);
+  }
   const std::optional<api::ImageSource> source = source_of(target);
   if (!source) return fail(EGL_BAD_PARAMETER, EGL_NO_IMAGE);
   if (context == nullptr) return fail(EGL_BAD_CONTEXT, EGL_NO_IMAGE);

@@ -12,18 +12,19 @@ namespace clearpipe::icd::entry {
 
 namespace {
 
-// The surface of a handle if it is the draw surface of the thread's context; else null, and the
-// error is noted.
+// The surface of a handle if it is the draw surface of the thread's context, or one that can be
+// locked and is current nowhere (EGL_KHR_lock_surface3, 3.9.3); else null, and the error is noted.
 Surface* posted_surface(EGLDisplay dpy, EGLSurface handle) {
   Display* display = initialized_display(dpy);
   Surface* const none = nullptr;
   if (display == nullptr) return none;
   Surface* surface = display->surface(handle);
   const Context* context = this_thread().context;
-  if (surface == nullptr || context == nullptr || context->draw != surface) {
-    return fail(EGL_BAD_SURFACE, none);
-  }
-  return surface;
+  if (surface == nullptr) return fail(EGL_BAD_SURFACE, none);
+  if (surface->lock) return fail(EGL_BAD_ACCESS, none);
+  const bool drawn_to = context != nullptr && context->draw == surface;
+  const bool without_context = is_lockable(*surface->config) && !surface->current;
+  return drawn_to || without_context ? surface : fail(EGL_BAD_SURFACE, none);
 }
 
 // The parts as they lie in the surface; all of it where there are none.
@@ -45,11 +46,22 @@ std::vector<Rect> parts_of(const Surface& surface, std::span<const EGLint> rects
   return parts;
 }
 
+// Shows a window's buffer. Others may use the display meanwhile: what is posted must be current.
+EGLint post_window(Surface& surface, NativeSurface& native, std::span<const Rect> parts,
+                   EGLint interval) {
+  const EGLint error = native.post(*surface.target.colour, parts, interval);
+  if (error != EGL_SUCCESS) return error;
+  surface.was_posted = true;
+  surface.age_is_known = surface.damage_is_set = false;
+  return EGL_SUCCESS;
+}
+
 EGLBoolean swap(EGLDisplay dpy, EGLSurface handle, const EGLint* rects, EGLint count) noexcept try {
   const Thread& thread = this_thread();
   Surface* surface = nullptr;
   std::shared_ptr<NativeSurface> native;
   std::vector<Rect> parts;
+  bool without_context = false;
   {
     const std::lock_guard<std::mutex> lock(egl_mutex());
     surface = posted_surface(dpy, handle);
@@ -57,15 +69,26 @@ EGLBoolean swap(EGLDisplay dpy, EGLSurface handle, const EGLint* rects, EGLint c
     if (count < 0 || (count > 0 && rects == nullptr)) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
     native = surface->native;
     parts = parts_of(*surface, {rects, static_cast<size_t>(count) * 4});
+    without_context = thread.context == nullptr || thread.context->draw != surface;
+    if (without_context) surface->current = true;  // nobody may free or bind it meanwhile
+  }
+  EGLint error = EGL_SUCCESS;
+  const bool is_window = surface->kind == Surface::Kind::kWindow;
+  if (without_context) {
+    // The swap interval is the context's business.
+    if (is_window) error = post_window(*surface, *native, parts, 0);
+    const std::lock_guard<std::mutex> lock(egl_mutex());
+    surface->current = false;
+    if (is_window && error == EGL_SUCCESS) follow_size(*surface);
+    find_display(dpy)->sweep();
+    return error == EGL_SUCCESS ? succeed(EGL_TRUE) : fail(error, EGL_FALSE);
   }
   // What is current to this thread stays, and the window system may be slow: no lock from here on.
   finish_current(thread);
   // Pbuffers and pixmaps have a single buffer: nothing is exchanged, but the frame ends (3.10.1).
-  if (surface->kind != Surface::Kind::kWindow) return succeed(EGL_TRUE);
-  const EGLint error = native->post(*surface->target.colour, parts, surface->swap_interval);
+  if (!is_window) return succeed(EGL_TRUE);
+  error = post_window(*surface, *native, parts, surface->swap_interval);
   if (error != EGL_SUCCESS) return fail(error, EGL_FALSE);
-  surface->was_posted = true;
-  surface->age_is_known = surface->damage_is_set = false;
   api::expect_frame(thread.context->context);
   return succeed(EGL_TRUE);
 } catch (const std::bad_alloc&) {
@@ -97,9 +120,13 @@ EGLBoolean SetDamageRegionKHR(EGLDisplay dpy, EGLSurface handle, EGLint* rects,
   Surface* surface = display->surface(handle);
   if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
   if (count < 0 || (count > 0 && rects == nullptr)) return fail(EGL_BAD_PARAMETER, EGL_FALSE);
+  if (surface->lock) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   const Context* context = this_thread().context;
+  // That a window which can be locked preserves its buffer by default is no wish of the program's.
+  const bool preserves =
+      surface->swap_behavior == EGL_BUFFER_PRESERVED && surface->swap_behavior_is_set;
   if (context == nullptr || context->draw != surface || surface->kind != Surface::Kind::kWindow ||
-      surface->swap_behavior != EGL_BUFFER_DESTROYED) {
+      preserves) {
     return fail(EGL_BAD_MATCH, EGL_FALSE);
   }
   if (surface->damage_is_set || !surface->age_is_known) return fail(EGL_BAD_ACCESS, EGL_FALSE);
@@ -114,6 +141,7 @@ EGLBoolean CopyBuffers(EGLDisplay dpy, EGLSurface handle, EGLNativePixmapType ta
   if (display == nullptr) return EGL_FALSE;
   const Surface* surface = display->surface(handle);
   if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  if (surface->lock) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   std::shared_ptr<NativeSurface> pixmap;
   const EGLint error = display->platform->make_pixmap(
       *surface->config, reinterpret_cast<void*>(target), false, pixmap);

@@ -131,6 +131,7 @@ EGLBoolean DestroySurface(EGLDisplay dpy, EGLSurface handle) noexcept {
   if (display == nullptr) return EGL_FALSE;
   Surface* surface = display->surface(handle);
   if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  if (surface->lock) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   destroy(*surface);
   display->labels.erase(handle);
   display->sweep();

@@ -59,6 +59,26 @@ bool get_attribute(const Surface& surface, EGLint attribute, EGLint& value) {
     case EGL_VG_ALPHA_FORMAT:
       value = EGL_VG_ALPHA_FORMAT_NONPRE;
       break;
+    case EGL_BITMAP_PITCH_KHR:
+      value = static_cast<EGLint>(mapped_pitch(*surface.config, surface.width));
+      break;
+    case EGL_BITMAP_ORIGIN_KHR:
+      value = EGL_UPPER_LEFT_KHR;
+      break;
+    case EGL_BITMAP_PIXEL_SIZE_KHR:
+      value = 8 * mapped_layout(*surface.config).bytes;
+      break;
+    case EGL_BITMAP_PIXEL_RED_OFFSET_KHR:
+    case EGL_BITMAP_PIXEL_GREEN_OFFSET_KHR:
+    case EGL_BITMAP_PIXEL_BLUE_OFFSET_KHR:
+    case EGL_BITMAP_PIXEL_ALPHA_OFFSET_KHR: {
+      const auto component = static_cast<size_t>(attribute - EGL_BITMAP_PIXEL_RED_OFFSET_KHR);
+      value = mapped_layout(*surface.config).rgba[component].shift;
+      break;
+    }
+    case EGL_BITMAP_PIXEL_LUMINANCE_OFFSET_KHR:
+      value = 0;
+      break;
     case EGL_HORIZONTAL_RESOLUTION:
     case EGL_VERTICAL_RESOLUTION:
     case EGL_PIXEL_ASPECT_RATIO:
@@ -91,6 +111,10 @@ EGLBoolean QuerySurface(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
     *value = surface->was_posted ? 1 : 0;
     return succeed(EGL_TRUE);
   }
+  // A pointer and a pitch are of what is mapped, which it is by asking.
+  if (attribute == EGL_BITMAP_PITCH_KHR && (!surface->lock || !map_surface(*surface))) {
+    return fail(EGL_BAD_ACCESS, EGL_FALSE);
+  }
   if (surface->kind != Surface::Kind::kPbuffer && is_of_pbuffers(attribute) &&
       surface->texture_format == EGL_NO_TEXTURE) {
     return succeed(EGL_TRUE);
@@ -108,6 +132,7 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
   if (display == nullptr) return EGL_FALSE;
   Surface* surface = display->surface(handle);
   if (surface == nullptr) return fail(EGL_BAD_SURFACE, EGL_FALSE);
+  if (surface->lock) return fail(EGL_BAD_ACCESS, EGL_FALSE);
   switch (attribute) {
     case EGL_MIPMAP_LEVEL:
       surface->mipmap_level = value;
@@ -129,6 +154,7 @@ EGLBoolean SurfaceAttrib(EGLDisplay dpy, EGLSurface handle, EGLint attribute,
         return fail(EGL_BAD_PARAMETER, EGL_FALSE);
       }
       surface->swap_behavior = value;
+      surface->swap_behavior_is_set = true;
       break;
     default:
       return fail(EGL_BAD_ATTRIBUTE, EGL_FALSE);

@@ -18,6 +18,7 @@ Surface* texture_surface(EGLDisplay dpy, EGLSurface handle, EGLint buffer) {
   if (surface == nullptr || surface->kind == Surface::Kind::kWindow) {
     return fail(EGL_BAD_SURFACE, none);
   }
+  if (surface->lock) return fail(EGL_BAD_ACCESS, none);
   if (buffer != EGL_BACK_BUFFER) return fail(EGL_BAD_PARAMETER, none);
   if (surface->texture_format == EGL_NO_TEXTURE) return fail(EGL_BAD_MATCH, none);
   return surface;

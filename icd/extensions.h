@@ -8,7 +8,7 @@
 
 namespace clearpipe::icd {
 
-enum class Offered { client, platform, device, display, windows, pixmaps, no_pixmaps };
+enum class Offered { client, platform, device, display, windows, pixmaps };
 
 struct Extension {
   Offered where;

@@ -4,16 +4,19 @@
 
 #include <cstring>
 
+#include "pipeline/colour_format.h"
+
 namespace clearpipe::icd {
 
 namespace {
 
-// Rounded to the nearest value of so many bits, and back to 8.
+// Rounded to the nearest value of so many bits, and back to 8, as surfaces of that format hold it.
 uint32_t narrow(uint32_t value, int bits) {
   const uint32_t most = (1u << bits) - 1;
   return (value * most + 127) / 255;
 }
 uint32_t widen(uint32_t value, int bits) {
+  if (bits <= 8) return pipeline::widen_component(value, bits);
   const uint32_t most = (1u << bits) - 1;
   return (value * 255 + most / 2) / most;
 }

@@ -23,6 +23,7 @@ struct PixelLayout {
 
 // B, G, R and A or nothing in memory, as most window systems have it.
 inline constexpr PixelLayout kBgra = {4, {{{16, 8}, {8, 8}, {0, 8}, {24, 8}}}};
+inline constexpr PixelLayout kRgb565 = {2, {{{11, 5}, {5, 6}, {0, 5}, {0, 0}}}};
 inline constexpr PixelLayout kBgrx = {4, {{{16, 8}, {8, 8}, {0, 8}, {0, 0}}}};
 
 // `count` pixels of R | G<<8 | B<<16 | A<<24 in the layout; a component that it lacks is zero.

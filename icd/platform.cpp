@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "icd/platform.h"
 
+#include <algorithm>
+
 namespace clearpipe::icd {
 
 std::optional<Size> NativeSurface::size() {
@@ -20,7 +22,14 @@ EGLint NativeSurface::post(const pipeline::ColourBuffer& buffer, std::span<const
 EGLint NativeSurface::fetch(pipeline::ColourBuffer& buffer) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (platform_ == nullptr) return EGL_BAD_NATIVE_PIXMAP;
-  return get(buffer);
+  const EGLint error = get(buffer);
+  // A pixmap may hold more than the surface's format has.
+  if (error == EGL_SUCCESS && buffer.format != pipeline::ColourFormat::kRgba8) {
+    uint32_t* const pixels = buffer.pixels.get();
+    std::transform(pixels, pixels + static_cast<ptrdiff_t>(buffer.width) * buffer.height, pixels,
+                   [&](uint32_t pixel) { return pipeline::truncate(buffer.format, pixel); });
+  }
+  return error;
 }
 
 void NativeSurface::close() {

@@ -54,6 +54,9 @@ class NativeSurface {
   // What a pixmap holds becomes the contents of the buffer, which has its size.
   EGLint fetch(pipeline::ColourBuffer& buffer);
 
+  // Whether its pixels have alpha.
+  virtual bool has_alpha() const { return false; }
+
   // Before the last reference goes, and with the display: lets go of all native resources.
   void close();
 

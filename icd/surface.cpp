@@ -18,11 +18,12 @@ EGLint parse_boolean(EGLAttrib value, bool& out) {
 // What surfaces of every kind may be created with; the EGL error or EGL_SUCCESS.
 EGLint parse_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
   switch (name) {
-    case EGL_GL_COLORSPACE:  // kept for queries; OpenGL ES 1 does not convert (3.5.1)
+    case EGL_GL_COLORSPACE:
       out.gl_colorspace = static_cast<EGLint>(value);
-      return value == EGL_GL_COLORSPACE_LINEAR || value == EGL_GL_COLORSPACE_SRGB
-                 ? EGL_SUCCESS
-                 : EGL_BAD_ATTRIBUTE;
+      if (value == EGL_GL_COLORSPACE_LINEAR) return EGL_SUCCESS;
+      if (value != EGL_GL_COLORSPACE_SRGB) return EGL_BAD_ATTRIBUTE;
+      // Colours of fewer bits are not encoded (3.5.1).
+      return out.config->format == pipeline::ColourFormat::kRgba8 ? EGL_SUCCESS : EGL_BAD_MATCH;
     case EGL_VG_COLORSPACE:  // no config has the bit of the other value (table 3.2)
       if (value == EGL_VG_COLORSPACE_sRGB) return EGL_SUCCESS;
       return value == EGL_VG_COLORSPACE_LINEAR ? EGL_BAD_MATCH : EGL_BAD_ATTRIBUTE;
@@ -76,6 +77,12 @@ EGLint parse_pbuffer_attribute(EGLint name, EGLint value, Surface& out) {
 }
 
 EGLint parse_window_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
+  if (name == EGL_SWAP_BEHAVIOR && is_lockable(*out.config)) {  // EGL_KHR_lock_surface3, 3.5.1
+    out.swap_behavior = static_cast<EGLint>(value);
+    out.swap_behavior_is_set = true;
+    return value == EGL_BUFFER_PRESERVED || value == EGL_BUFFER_DESTROYED ? EGL_SUCCESS
+                                                                          : EGL_BAD_ATTRIBUTE;
+  }
   if (name != EGL_RENDER_BUFFER) return parse_attribute(name, value, out);
   // What is asked for; drawn to is the back buffer, as it may be (3.5.1).
   out.render_buffer = static_cast<EGLint>(value);
@@ -85,7 +92,9 @@ EGLint parse_window_attribute(EGLAttrib name, EGLAttrib value, Surface& out) {
 template <class Attribute>
 EGLint parse_native_list(const Attribute* list, Surface& out) {
   const bool is_window = out.kind == Surface::Kind::kWindow;
-  out.swap_behavior = EGL_BUFFER_DESTROYED;
+  // 3.5.6, with EGL_KHR_lock_surface3: what was drawn is there when a window is locked.
+  out.swap_behavior =
+      is_window && is_lockable(*out.config) ? EGL_BUFFER_PRESERVED : EGL_BUFFER_DESTROYED;
   out.render_buffer = is_window ? EGL_BACK_BUFFER : EGL_SINGLE_BUFFER;
   for (; list != nullptr && *list != EGL_NONE; list += 2) {
     const EGLint error = is_window ? parse_window_attribute(list[0], list[1], out)
@@ -97,7 +106,8 @@ EGLint parse_native_list(const Attribute* list, Surface& out) {
 
 // Buffers of a size as the config has them; false when memory does not suffice. A surface without
 // pixels still has buffers that can be bound.
-bool make_target(const Config& config, int width, int height, pipeline::Target& target) {
+bool make_target(const Surface& surface, int width, int height, pipeline::Target& target) {
+  const Config& config = *surface.config;
   target.width = width;
   target.height = height;
   width = std::max(width, 1);
@@ -105,11 +115,15 @@ bool make_target(const Config& config, int width, int height, pipeline::Target& 
   const int samples = std::max(config.samples, 1);
   target.colour = pipeline::make_colour_buffer(width, height, config.alpha > 0, samples);
   if (!target.colour) return false;
+  target.colour->format = config.format;
+  // What is drawn is encoded, as contexts with EXT_sRGB do (3.5.1).
+  target.colour->srgb = surface.gl_colorspace == EGL_GL_COLORSPACE_SRGB;
   target.depth_stencil = nullptr;
   if (config.depth > 0 || config.stencil > 0) {
     target.depth_stencil = pipeline::make_depth_stencil_buffer(width, height, config.depth > 0,
                                                                config.stencil > 0, samples);
     if (!target.depth_stencil) return false;
+    if (config.depth > 0) target.depth_stencil->depth_bits = config.depth;
   }
   return true;
 }
@@ -134,7 +148,7 @@ EGLint parse_native(const EGLAttrib* list, Surface& out) { return parse_native_l
 
 bool make_buffers(Surface& surface) {
   if (surface.width > kMaxPbuffer || surface.height > kMaxPbuffer ||
-      !make_target(*surface.config, surface.width, surface.height, surface.target)) {
+      !make_target(surface, surface.width, surface.height, surface.target)) {
     return false;
   }
   // A pixmap's pixels are written from outside as well.
@@ -150,7 +164,7 @@ bool make_buffers(Surface& surface) {
   for (int width = surface.width, height = surface.height; width > 1 || height > 1;) {
     width = std::max(width / 2, 1);
     height = std::max(height / 2, 1);
-    if (!make_target(*surface.config, width, height, surface.levels.emplace_back())) return false;
+    if (!make_target(surface, width, height, surface.levels.emplace_back())) return false;
   }
   return true;
 }

@@ -59,16 +59,27 @@ bool WaylandPlatform::bind_globals() {
   if (globals.shm_name != 0) {
     shm_ = wl.create<wl_shm>(registry, WL_REGISTRY_BIND, wl.shm_interface, 1, globals.shm_name,
                              wl.shm_interface->name, 1u, nullptr);
-    // The formats that every compositor has are all that is needed: its list of them is not read.
+    static constexpr wl_shm_listener kShmListener = {add_format};
+    wl.proxy_add_listener(reinterpret_cast<wl_proxy*>(shm_),
+                          const_cast<Listener*>(reinterpret_cast<const Listener*>(&kShmListener)),
+                          this);
     wl.display_roundtrip_queue(display, queue_);
   }
   wl.proxy_destroy(proxy);
   return shm_ != nullptr;
 }
 
+// Every compositor has those of 8 bits.
+void WaylandPlatform::add_format(void* self, wl_shm*, uint32_t format) {
+  if (format == WL_SHM_FORMAT_RGB565) static_cast<WaylandPlatform*>(self)->has_rgb565_ = true;
+}
+
 std::vector<Config> WaylandPlatform::configs() {
   std::vector<Config> list = offscreen_configs();
   for (Config& config : list) {
+    if (config.red != 8 && !(config.format == pipeline::ColourFormat::kRgb565 && has_rgb565_)) {
+      continue;
+    }
     config.native_surfaces = EGL_WINDOW_BIT;
     config.max_swap_interval = 1;  // a compositor tells of one frame at a time
   }
@@ -77,8 +88,7 @@ std::vector<Config> WaylandPlatform::configs() {
 
 EGLint WaylandPlatform::make_window(const Config& config, void* window, bool,
                                     std::shared_ptr<NativeSurface>& out) {
-  return WaylandWindow::make(shared_from_this(), static_cast<wl_egl_window*>(window),
-                             config.alpha > 0, out);
+  return WaylandWindow::make(shared_from_this(), static_cast<wl_egl_window*>(window), config, out);
 }
 
 bool WaylandPlatform::dispatch(wl_event_queue* queue) const {

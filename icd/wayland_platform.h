@@ -26,6 +26,7 @@ class WaylandPlatform : public Platform {
   const WaylandLibrary& wl;
   wl_display* const display;
   wl_shm* shm() const { return shm_; }
+  bool has_rgb565() const { return has_rgb565_; }
 
   // Events come in a queue of a window's own, which only its thread looks at. Handles those that
   // are there; waits for more until `done`, until told to give up, or until nothing has come
@@ -36,10 +37,12 @@ class WaylandPlatform : public Platform {
 
  private:
   bool bind_globals();
+  static void add_format(void* self, wl_shm*, uint32_t format);
 
   const bool own_;
   wl_event_queue* queue_ = nullptr;
   wl_shm* shm_ = nullptr;
+  bool has_rgb565_ = false;  // buffers of it
 };
 
 // Null display: a connection of its own, to $WAYLAND_DISPLAY. Null: there is none.

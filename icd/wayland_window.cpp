@@ -22,22 +22,33 @@ void add_listener(const WaylandLibrary& wl, void* object, const ListenerTable& t
                         const_cast<Listener*>(reinterpret_cast<const Listener*>(&table)), data);
 }
 
+bool is_rgb565(const Config& config) { return config.format == pipeline::ColourFormat::kRgb565; }
+
 }  // namespace
 
-EGLint WaylandWindow::make(std::shared_ptr<Platform> platform, wl_egl_window* window, bool alpha,
-                           std::shared_ptr<NativeSurface>& out) {
+EGLint WaylandWindow::make(std::shared_ptr<Platform> platform, wl_egl_window* window,
+                           const Config& config, std::shared_ptr<NativeSurface>& out) {
   if (window == nullptr || window->surface == nullptr) return EGL_BAD_NATIVE_WINDOW;
   if (window->driver_private != nullptr) return EGL_BAD_ALLOC;  // it has a surface already
-  auto made = std::make_shared<WaylandWindow>(std::move(platform), window, alpha);
+  auto made = std::make_shared<WaylandWindow>(std::move(platform), window, config);
   if (!made->start()) return EGL_BAD_ALLOC;
   out = std::move(made);
   return EGL_SUCCESS;
 }
 
-WaylandWindow::WaylandWindow(std::shared_ptr<Platform> platform, wl_egl_window* window, bool alpha)
+WaylandWindow::WaylandWindow(std::shared_ptr<Platform> platform, wl_egl_window* window,
+                             const Config& config)
     : NativeSurface(std::move(platform), reinterpret_cast<uintptr_t>(window)),
       window_(window),
-      alpha_(alpha) {}
+      format_(is_rgb565(config)  ? WL_SHM_FORMAT_RGB565
+              : config.alpha > 0 ? WL_SHM_FORMAT_ARGB8888
+                                 : WL_SHM_FORMAT_XRGB8888),
+      layout_(is_rgb565(config) ? kRgb565 : kBgra) {}
+
+// Compositors want rows of whole words.
+size_t WaylandWindow::stride_of(int width) const {
+  return (static_cast<size_t>(width) * static_cast<size_t>(layout_.bytes) + 3) / 4 * 4;
+}
 
 bool WaylandWindow::start() {
   const WaylandLibrary& wl = display().wl;
@@ -87,7 +98,7 @@ void WaylandWindow::buffer_released(void* buffer, wl_buffer*) {
 bool WaylandWindow::make_buffer(WaylandBuffer& buffer, Size size) {
   free_memory(buffer);
   const WaylandLibrary& wl = display().wl;
-  const int64_t stride = int64_t{size.width} * 4, bytes = stride * size.height;
+  const int64_t stride = static_cast<int64_t>(stride_of(size.width)), bytes = stride * size.height;
   if (bytes > INT32_MAX) return false;
   const int fd = memfd_create("clearpipe", MFD_CLOEXEC);
   if (fd == -1) return false;
@@ -108,10 +119,9 @@ bool WaylandWindow::make_buffer(WaylandBuffer& buffer, Size size) {
   if (pool == nullptr) return false;
   // What is made of an object gets the events of its queue.
   wl.proxy_set_queue(reinterpret_cast<wl_proxy*>(pool), queue_);
-  buffer.buffer = wl.create<wl_buffer>(
-      pool, WL_SHM_POOL_CREATE_BUFFER, wl.buffer_interface, 1, nullptr, 0, size.width, size.height,
-      static_cast<int32_t>(stride),
-      static_cast<uint32_t>(alpha_ ? WL_SHM_FORMAT_ARGB8888 : WL_SHM_FORMAT_XRGB8888));
+  buffer.buffer =
+      wl.create<wl_buffer>(pool, WL_SHM_POOL_CREATE_BUFFER, wl.buffer_interface, 1, nullptr, 0,
+                           size.width, size.height, static_cast<int32_t>(stride), format_);
   wl.destroy(pool, WL_SHM_POOL_DESTROY);
   if (buffer.buffer == nullptr) return false;
   static constexpr wl_buffer_listener kListener = {buffer_released};
@@ -146,10 +156,9 @@ void WaylandWindow::write(WaylandBuffer& to, const pipeline::ColourBuffer& from,
   for (int i = 0; i < part.height; ++i) {
     const int y = part.y + i, from_top = from.height - 1 - y;
     pipeline::read_pixels(from, part.x, y, part.width, row_.data());
-    to_layout(kBgra, row_.data(), row_.size(),
-              to.memory + (static_cast<size_t>(from_top) * static_cast<size_t>(from.width) +
-                           static_cast<size_t>(part.x)) *
-                              4);
+    to_layout(layout_, row_.data(), row_.size(),
+              to.memory + static_cast<size_t>(from_top) * stride_of(from.width) +
+                  static_cast<size_t>(part.x) * static_cast<size_t>(layout_.bytes));
   }
 }
 

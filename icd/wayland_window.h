@@ -25,9 +25,9 @@ struct WaylandBuffer {
 
 class WaylandWindow : public NativeSurface {
  public:
-  static EGLint make(std::shared_ptr<Platform> platform, wl_egl_window* window, bool alpha,
-                     std::shared_ptr<NativeSurface>& out);
-  WaylandWindow(std::shared_ptr<Platform> platform, wl_egl_window* window, bool alpha);
+  static EGLint make(std::shared_ptr<Platform> platform, wl_egl_window* window,
+                     const Config& config, std::shared_ptr<NativeSurface>& out);
+  WaylandWindow(std::shared_ptr<Platform> platform, wl_egl_window* window, const Config& config);
   ~WaylandWindow() override { close(); }
 
  protected:
@@ -44,6 +44,7 @@ class WaylandWindow : public NativeSurface {
   static void frame_done(void* self, wl_callback* callback, uint32_t time);
   static void buffer_released(void* buffer, wl_buffer*);
 
+  size_t stride_of(int width) const;
   WaylandBuffer* free_buffer(Size size);
   bool make_buffer(WaylandBuffer& buffer, Size size);
   void free_memory(WaylandBuffer& buffer);
@@ -51,7 +52,8 @@ class WaylandWindow : public NativeSurface {
   void commit(const WaylandBuffer& buffer, std::span<const Rect> parts, bool wants_frame);
 
   wl_egl_window* window_;  // null: destroyed
-  const bool alpha_;
+  const uint32_t format_;  // of wl_shm
+  const PixelLayout layout_;
   wl_event_queue* queue_ = nullptr;
   wl_surface* surface_ = nullptr;  // the application's, with our queue
   wl_callback* frame_ = nullptr;   // of the frame that is waited for

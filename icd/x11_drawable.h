@@ -15,6 +15,7 @@ class X11Drawable : public NativeSurface {
   X11Drawable(std::shared_ptr<Platform> platform, xcb_drawable_t drawable, X11Format format,
               bool is_window);
   ~X11Drawable() override { close(); }
+  bool has_alpha() const override { return format_.layout.rgba[3].bits > 0; }
 
  protected:
   std::optional<Size> get_size() override;

@@ -27,6 +27,9 @@ bool is_one_run(uint32_t mask) {
          mask >> std::countr_zero(mask) == (1u << std::popcount(mask)) - 1;
 }
 
+// Whether windows with the mask show components of so many bits, as well as there are any.
+bool has_bits(uint32_t mask, EGLint bits) { return std::min(std::popcount(mask), 8) == bits; }
+
 }  // namespace
 
 X11Platform::X11Platform(const X11Library& library, xcb_connection_t* c, bool own, int screen)
@@ -120,13 +123,21 @@ const xcb_visualtype_t* X11Platform::true_colour_visual(uint8_t depth) const {
 }
 
 // First the configs for opaque windows, those with alpha among them, because an application that
-// asks for alpha seldom wants to be seen through; then those for the visual that has alpha.
+// asks for alpha seldom wants to be seen through; then those for the visual that has alpha. Colours
+// of other sizes than the visual's are for pbuffers.
 std::vector<Config> X11Platform::configs() {
   std::vector<Config> list;
   const auto add = [&list](const xcb_visualtype_t* visual, bool alpha_only) {
     if (visual == nullptr) return;
     for (Config config : offscreen_configs()) {
-      if (alpha_only && config.alpha == 0) continue;
+      const bool fits = has_bits(visual->red_mask, config.red) &&
+                        has_bits(visual->green_mask, config.green) &&
+                        has_bits(visual->blue_mask, config.blue);
+      if (alpha_only && (config.alpha == 0 || !fits)) continue;
+      if (!fits) {
+        list.push_back(config);
+        continue;
+      }
       // What a pixmap holds is no contents for the samples of a multisample buffer.
       config.native_surfaces = EGL_WINDOW_BIT | (config.samples == 0 ? EGL_PIXMAP_BIT : 0);
       config.visual_id = static_cast<EGLint>(visual->visual_id);
@@ -136,7 +147,7 @@ std::vector<Config> X11Platform::configs() {
   };
   const uint8_t root = screen()->root_depth;
   add(true_colour_visual(root == 32 ? 24 : root), false);
-  if (root != 24 && list.empty()) add(true_colour_visual(24), false);
+  if (list.empty()) add(true_colour_visual(24), false);
   add(true_colour_visual(32), true);
   return list.empty() ? offscreen_configs() : list;
 }

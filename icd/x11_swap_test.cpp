@@ -55,7 +55,8 @@ TEST_F(X11Test, OnlyDamageIsShown) {
 TEST_F(X11Test, BufferAgeAndPreservation) {
   const Window on = window();
   const EGLSurface surface = current_surface(on);
-  EXPECT_EQ(query(surface, EGL_SWAP_BEHAVIOR), EGL_BUFFER_DESTROYED);
+  // As EGL_KHR_lock_surface3 has it for windows that can be locked.
+  EXPECT_EQ(query(surface, EGL_SWAP_BEHAVIOR), EGL_BUFFER_PRESERVED);
   EXPECT_EQ(query(surface, EGL_BUFFER_AGE_EXT), 0);
   clear(kRed);
   EXPECT_EGL_OK(eglSwapBuffers(display, surface));
@@ -100,6 +101,56 @@ TEST_F(X11Test, DamageRegion) {
   EXPECT_EGL_FAIL(set_region(display, window_surface(window()), rect, 1), EGL_FALSE, EGL_BAD_MATCH);
   EXPECT_EGL_OK(eglSurfaceAttrib(display, surface, EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED));
   EXPECT_EGL_FAIL(set_region(display, surface, rect, 1), EGL_FALSE, EGL_BAD_MATCH);
+}
+
+// A program that draws by itself, without a context (EGL_KHR_lock_surface3).
+TEST_F(X11Test, LockedWindow) {
+  const auto lock = proc<PFNEGLLOCKSURFACEKHRPROC>("eglLockSurfaceKHR");
+  const auto unlock = proc<PFNEGLUNLOCKSURFACEKHRPROC>("eglUnlockSurfaceKHR");
+  const auto query64 = proc<PFNEGLQUERYSURFACE64KHRPROC>("eglQuerySurface64KHR");
+  const Window on = window();
+  const EGLSurface surface = window_surface(on);
+  XResizeWindow(x_, on, 24, 20);
+  XSync(x_, False);
+  for (const bool destroyed : {false, true}) {
+    ASSERT_TRUE(lock(display, surface, nullptr));
+    EXPECT_EQ(query(surface, EGL_WIDTH), 24);  // the window's size by then
+    EXPECT_EQ(query(surface, EGL_HEIGHT), 20);
+    EGLAttribKHR pointer = 0;
+    EXPECT_EGL_OK(query64(display, surface, EGL_BITMAP_POINTER_KHR, &pointer));
+    const EGLint bytes = query(surface, EGL_BITMAP_PIXEL_SIZE_KHR) / 8;
+    const EGLint red = query(surface, EGL_BITMAP_PIXEL_RED_OFFSET_KHR);
+    auto* first = reinterpret_cast<uint8_t*>(pointer);
+    const uint32_t value = (bytes == 2 ? 31u : 255u) << red;
+    // The second time it holds what the first left.
+    if (destroyed) EXPECT_EQ(std::memcmp(first, &value, bytes == 2 ? 2 : 3), 0);
+    for (EGLint y = 0; y < 20; ++y) {
+      for (EGLint x = 0; x < 24; ++x) {
+        const uint32_t pixel = x < 8 && y < 8 ? value : 0;
+        std::memcpy(first + y * query(surface, EGL_BITMAP_PITCH_KHR) + x * bytes, &pixel,
+                    static_cast<size_t>(bytes));
+      }
+    }
+    EXPECT_EGL_FAIL(eglSwapBuffers(display, surface), EGL_FALSE, EGL_BAD_ACCESS);
+    EXPECT_EGL_OK(unlock(display, surface));
+    EXPECT_EGL_OK(eglSwapBuffers(display, surface));
+    EXPECT_EQ(shown(on, 0, 0), kRed);
+    EXPECT_EQ(shown(on, 7, 7), kRed);
+    EXPECT_EQ(shown(on, 8, 7), kBlack);
+    EXPECT_EQ(shown(on, 0, 19), kBlack);
+  }
+  // Drawn to by a context of another thread, it is not this one's to post.
+  EXPECT_EGL_OK(eglMakeCurrent(display, surface, surface, context()));
+  std::thread([&] {
+    EXPECT_EGL_FAIL(eglSwapBuffers(display, surface), EGL_FALSE, EGL_BAD_SURFACE);
+  }).join();
+  // What the surface is to do can be said when it is made.
+  const EGLint list[] = {EGL_SWAP_BEHAVIOR, EGL_BUFFER_DESTROYED, EGL_NONE};
+  const EGLSurface other = eglCreateWindowSurface(display, config, window(), list);
+  EXPECT_EQ(query(other, EGL_SWAP_BEHAVIOR), EGL_BUFFER_DESTROYED);
+  const EGLint bad[] = {EGL_SWAP_BEHAVIOR, EGL_BACK_BUFFER, EGL_NONE};
+  EXPECT_EGL_FAIL(eglCreateWindowSurface(display, config, window(), bad), EGL_NO_SURFACE,
+                  EGL_BAD_ATTRIBUTE);
 }
 
 // Interval 0 does not wait; others wait for the frames of the screen (3.10.3).

@@ -81,7 +81,7 @@ struct ClearCommand {
   bool colour = false, depth = false, stencil = false;
   uint32_t colour_value = 0;  // RGBA8, already converted
   uint8_t colour_mask = 0xf;
-  uint32_t depth_value = 0xffffff;  // 24 bits
+  uint32_t depth_value = 0xffffff;  // as many bits as the buffer has
   uint8_t stencil_value = 0, stencil_mask = 0xff;
 };
 

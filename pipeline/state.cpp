@@ -16,7 +16,13 @@ void copy_vertex_state(const VertexState& from, VertexState& to) {
   if (from.lighting) {
     to.scene_ambient = from.scene_ambient;
     to.material = from.material;
-    to.lights = from.lights;
+    for (size_t i = 0; i < from.lights.size(); ++i) {
+      if (from.lights[i].enabled) {
+        to.lights[i] = from.lights[i];
+      } else {
+        to.lights[i].enabled = false;
+      }
+    }
   }
   for (size_t u = 0; from.texture_matrix >> u != 0; ++u) {
     if ((from.texture_matrix >> u & 1) != 0) to.texture_matrices[u] = from.texture_matrices[u];

@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/colour_format.h"
 #include "pipeline/raster/samples.h"
 
 namespace clearpipe::pipeline {
@@ -36,24 +37,28 @@ struct SampleBuffer {
   std::vector<uint8_t> discarded;
 };
 
-// The pixels as they are kept. Colour is always held as RGBA8. The memory may be that of a texture
-// level, which then is drawn to and sampled without a copy: `pixels` keeps the image alive.
+// The pixels as they are kept. Colour is always held as RGBA8, if only with values that the format
+// has. The memory may be that of a texture level, which then is drawn to and sampled without a
+// copy: `pixels` keeps the image alive.
 struct ColourBuffer {
   int width = 0, height = 0;
-  std::shared_ptr<uint32_t[]> pixels;     // R in the low byte
+  std::shared_ptr<uint32_t[]> pixels;  // R in the low byte
+  ColourFormat format = ColourFormat::kRgba8;
   bool has_alpha = true;                  // else alpha stays 255 in memory: it reads as 1
   bool srgb = false;                      // colours are sRGB-encoded
   std::shared_ptr<UniformTiles> uniform;  // null: laid out in rows of `width`
   std::shared_ptr<SampleBuffer> samples;  // null: one sample, the pixel itself
 };
 
-// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8. What the buffer does
-// not have is left as it is: another buffer may have it in the same memory. A multisampled buffer
-// is a plane for each sample, one after another.
+// Depth in the upper 24 bits (unsigned normalised), stencil in the lower 8. Depth of 16 bits is the
+// same with smaller numbers; depth of 32 bits, which has no stencil beside it, is all of the word.
+// What the buffer does not have is left as it is: another buffer may have it in the same memory. A
+// multisampled buffer is a plane for each sample, one after another.
 struct DepthStencilBuffer {
   int width = 0, height = 0;
   int samples = 1;
   bool has_depth = true, has_stencil = true;
+  int depth_bits = 24;  // 16, 24 or, without stencil, 32
   std::shared_ptr<uint32_t[]> values;
   std::shared_ptr<UniformTiles> uniform;
   bool partial_view = false;  // the memory holds planes that this buffer does not have
@@ -62,6 +67,14 @@ struct DepthStencilBuffer {
 // Copies `count` pixels of row y, from x on, all inside the buffer, to `out`, which may be aligned
 // in any way. No frame may be drawing to the buffer.
 void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out);
+
+// The opposite, into a buffer without samples.
+void write_pixels(ColourBuffer& buffer, int x, int y, int count, const uint32_t* from);
+
+// Copies `rows` rows of `count` pixels from (x, y) on, all inside the buffer, each to a place
+// `row_bytes` further in `out`; large ones on all cores.
+void read_rectangle(const ColourBuffer& buffer, int x, int y, int count, int rows, void* out,
+                    size_t row_bytes);
 
 // Lays out the buffer in rows, as memory that is shared with a texture must be; does nothing when
 // it is. False, and no change, when memory does not suffice.

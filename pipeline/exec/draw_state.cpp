@@ -3,6 +3,8 @@
 #include "pipeline/exec/draw_state.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <new>
 
 namespace clearpipe::pipeline {
@@ -11,6 +13,29 @@ namespace {
 
 Rect intersect(const Rect& a, const Rect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+// Whether vertices of both states go through the same stages, and take all but their matrices from
+// the same values. When in doubt, no: the bytes between members may differ.
+bool differ_in_matrices_alone(const VertexState& a, const VertexState& b) {
+  constexpr size_t kFlags = offsetof(VertexState, rescale_normal);
+  constexpr size_t kProjection = offsetof(VertexState, projection);
+  constexpr size_t kLighting = offsetof(VertexState, scene_ambient);
+  constexpr size_t kLights = offsetof(VertexState, lights);
+  const auto same = [&](size_t begin, size_t end) {
+    return std::memcmp(reinterpret_cast<const std::byte*>(&a) + begin,
+                       reinterpret_cast<const std::byte*>(&b) + begin, end - begin) == 0;
+  };
+  if (!same(kFlags, kProjection) || a.palette != nullptr) return false;
+  if (a.texture_matrix != 0 || a.clip_planes != 0) return false;
+  if (!a.lighting) return true;
+  if (!same(kLighting, kLights)) return false;
+  for (size_t i = 0; i < a.lights.size(); ++i) {
+    const size_t light = kLights + i * sizeof(Light);
+    if (a.lights[i].enabled != b.lights[i].enabled) return false;
+    if (a.lights[i].enabled && !same(light, light + sizeof(Light))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -23,10 +48,11 @@ void CurrentState::forget_vertices() {
 void CurrentState::set_target(const Target& target) {
   target_ = target;
   program_ = nullptr;
-  forget_vertices();
+  forget_group();
 }
 
 void CurrentState::set_vertex_state(const VertexState& state) {
+  if (!differ_in_matrices_alone(state, vertex_)) new_group_ = true;
   copy_vertex_state(state, vertex_);
   forget_vertices();
 }
@@ -34,7 +60,7 @@ void CurrentState::set_vertex_state(const VertexState& state) {
 void CurrentState::set_raster_state(const RasterState& state) {
   const bool same_viewport = raster_.viewport == state.viewport;
   raster_ = state;
-  same_viewport ? forget_draws() : forget_vertices();
+  same_viewport ? forget_draws() : forget_group();
 }
 
 void CurrentState::set_fragment_state(const FragmentState& state) {
@@ -46,7 +72,7 @@ void CurrentState::set_fragment_state(const FragmentState& state) {
 void CurrentState::reset() {
   programs_.reset();
   program_ = nullptr;
-  forget_vertices();
+  forget_group();
 }
 
 ProgramHolder& CurrentState::program() {
@@ -55,9 +81,11 @@ ProgramHolder& CurrentState::program() {
     if (target_.depth_stencil) {
       to.has_depth = target_.depth_stencil->has_depth;
       to.has_stencil = target_.depth_stencil->has_stencil;
+      to.depth_bits = target_.depth_stencil->depth_bits;
     }
     to.multisampled = target_.samples() > 1;
     to.srgb = target_.colour && target_.colour->srgb;
+    if (target_.colour) to.format = target_.colour->format;
     const uint8_t mask = fragment_.colour_mask;
     if (target_.colour && !target_.colour->has_alpha) fragment_.colour_mask = mask & 0x7;
     if (!target_.colour) fragment_.colour_mask = 0;
@@ -92,12 +120,18 @@ Viewport CurrentState::viewport() const {
 }
 
 void CurrentState::record_vertices(Arena& arena) {
-  auto* state = static_cast<VertexState*>(arena.allocate(sizeof(VertexState)));
+  // Matrices may change with each draw: what nobody looks at in a plain state takes no room.
+  const bool plain = vertex_.palette == nullptr && !vertex_.lighting &&
+                     vertex_.texture_matrix == 0 && vertex_.clip_planes == 0;
+  const size_t bytes = plain ? offsetof(VertexState, projection) : sizeof(VertexState);
+  auto* state = static_cast<VertexState*>(arena.allocate(bytes));
   copy_vertex_state(vertex_, *state);
   if (const MatrixPalette* palette = state->palette) {
     state->palette = new (arena.allocate(sizeof(MatrixPalette))) MatrixPalette(*palette);
   }
   recorded_ = state;
+  if (!new_group_) return;
+  new_group_ = false;
   ++vertex_group_;
   attributes_ = vertex_attributes(vertex_);
   clip_.layout = make_vertex_layout(vertex_);
@@ -128,6 +162,7 @@ const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   setup.point_fade_threshold = vertex_.point_fade_threshold;
   setup.inputs = fragment_inputs(*draw->program);
   setup.inputs.texture_units &= setup.layout.texture_units;
+  if (target_.depth_stencil) setup.depth_bits = target_.depth_stencil->depth_bits;
   setup.mirror_height = target_.mirrored ? target_.height : 0;
   setup.two_sided = setup.layout.back_colour_offset != 0;
   return draw;

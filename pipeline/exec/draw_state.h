@@ -50,6 +50,10 @@ class CurrentState {
 
   void forget_draws() { known_.fill(false); }
   void forget_vertices();
+  void forget_group() {
+    forget_vertices();
+    new_group_ = true;
+  }
   void record_vertices(Arena& arena);
   const DrawState* make(Primitive primitive, Arena& arena);
   FragmentCoverage coverage_of(Primitive primitive) const;
@@ -67,6 +71,7 @@ class CurrentState {
   // Null: vertex_ and what follows from it are not in the frame's memory.
   const VertexState* recorded_ = nullptr;
   uint32_t vertex_group_ = 0;
+  bool new_group_ = true;  // not only the matrices of vertex_ have changed since
   uint32_t attributes_ = 0;
   ClipState clip_;
 

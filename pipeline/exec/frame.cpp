@@ -11,6 +11,7 @@
 #include "pipeline/exec/draw_state.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
+#include "pipeline/exec/shared_vertices.h"
 #include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
@@ -33,10 +34,13 @@ struct Frame::Impl {
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
+  SharedVertices shared_vertices;
   TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<SampleTiles>> tiles;
-  std::atomic<size_t> cursor{0};
+  std::vector<std::unique_ptr<BackWorker>> back_workers;
+  std::atomic<size_t> next_chunk{0}, next_packet{0}, next_tile{0};
+  std::atomic<uint32_t> chunks_done{0}, packets_done{0}, tiles_ready{0};
+  std::atomic<bool> failed{false};
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {
@@ -111,44 +115,110 @@ struct Frame::Impl {
     }
   }
 
-  static void front_task(void* context, int worker) {
-    Impl& frame = *static_cast<Impl*>(context);
-    for (size_t i = frame.cursor.fetch_add(1); i < frame.packet_count;
-         i = frame.cursor.fetch_add(1)) {
-      if (!frame.packets[i]->is_clear) {
-        run_front(*frame.front_workers[worker], frame.draws, frame.grid, *frame.packets[i]);
+  // Without memory the frame fails as a whole, when nobody works on it any more.
+  template <typename Work>
+  void unless_failed(const Work& work) try {
+    if (!failed.load(std::memory_order_relaxed)) work();
+  } catch (const std::bad_alloc&) {
+    failed = true;
+  }
+
+  void run_chunks() {
+    const size_t count = shared_vertices.chunk_count();
+    uint32_t done = 0;
+    for (size_t i = next_chunk.fetch_add(1); i < count; i = next_chunk.fetch_add(1)) {
+      shared_vertices.run(draws, i);
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(count);
+    if (done != 0 && chunks_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      chunks_done.notify_all();
+    }
+  }
+
+  void run_packets(int worker) {
+    uint32_t done = 0;
+    for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
+      if (!packets[i]->is_clear) {
+        unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
       }
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(packet_count);
+    if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      unless_failed([&] { make_tile_work(packets, packet_count, grid, tile_work); });
+      tiles_ready.store(1, std::memory_order_release);
+      tiles_ready.notify_all();
     }
   }
 
-  static void back_task(void* context, int worker) {
+  void run_tiles(int worker) {
+    if (failed) return;
+    const size_t count = static_cast<size_t>(grid.count());
+    for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
+      run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
+               *back_workers[worker]);
+    }
+  }
+
+  // All phases, so that a worker wakes up once a frame.
+  static void task(void* context, int worker) {
     Impl& frame = *static_cast<Impl*>(context);
-    const size_t tiles = static_cast<size_t>(frame.grid.count());
-    for (size_t i = frame.cursor.fetch_add(1); i < tiles; i = frame.cursor.fetch_add(1)) {
-      run_back(frame.draws, frame.packets, frame.tile_work, frame.state.target(), frame.grid,
-               static_cast<int>(i), *frame.tiles[worker]);
-    }
+    frame.run_chunks();
+    wait_until(frame.chunks_done, static_cast<uint32_t>(frame.shared_vertices.chunk_count()));
+    frame.run_packets(worker);
+    wait_until(frame.tiles_ready, 1);
+    frame.run_tiles(worker);
   }
 
-  void make_workers() {
-    const size_t count = static_cast<size_t>(worker_count());
+  void make_workers(size_t count) {
     while (front_workers.size() < count) {
       front_workers.push_back(make_front_worker());
     }
-    while (tiles.size() < count) {
-      tiles.push_back(std::make_unique<SampleTiles>());
+    while (back_workers.size() < count) {
+      back_workers.push_back(std::make_unique<BackWorker>());
     }
   }
 
-  void execute() {
-    make_workers();
-    if (!draws.empty()) {
-      cursor = 0;
-      run_on_workers(&front_task, this);
+  // Whether the tiles are less work than waking a thread to share it, from what the packets hold.
+  bool is_little() const {
+    // Nanoseconds, roughly.
+    constexpr int64_t kTile = 80, kPrimitive = 150, kPixel = 8, kWakeUp = 60000;
+    int64_t work = kTile * grid.count();
+    for (size_t i = 0; i < packet_count && work < kWakeUp; ++i) {
+      if (packets[i]->is_clear) continue;
+      work += kPrimitive * static_cast<int64_t>(packets[i]->small.size());
+      for (const PrimitiveRecord& p : packets[i]->primitives) {
+        work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
+      }
     }
-    make_tile_work(packets, packet_count, grid, tile_work);
-    cursor = 0;
-    run_on_workers(&back_task, this);
+    return work < kWakeUp;
+  }
+
+  void execute() {
+    next_chunk = next_packet = next_tile = 0;
+    chunks_done = packets_done = tiles_ready = 0;
+    failed = false;
+    make_workers(1);
+    shared_vertices.prepare(draws, arena);
+    // A packet is built by one worker anyway.
+    const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
+    const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
+    if (std::count_if(packets.begin(), end, is_draw) <= 1) {
+      run_chunks();
+      run_packets(0);
+      if (is_little()) {
+        run_tiles(0);
+        return check();
+      }
+    }
+    make_workers(static_cast<size_t>(worker_count()));
+    run_on_workers(&task, this);
+    check();
+  }
+
+  void check() const {
+    if (failed) throw std::bad_alloc();
   }
 };
 
@@ -208,6 +278,10 @@ bool Frame::clear(const ClearCommand& command) try {
       clear.stencil_value = 0;
     }
     if (clear.stencil && !planes->has_depth) clear.depth = true;
+    if (clear.depth && planes->depth_bits == 32) {  // its lower bits are where stencil would be
+      clear.stencil_value = static_cast<uint8_t>(clear.depth_value);
+      clear.depth_value >>= 8;
+    }
   }
   if (clear.rect.x0 >= clear.rect.x1 || clear.rect.y0 >= clear.rect.y1) {
     return true;

@@ -16,6 +16,7 @@
 #include "pipeline/clip/clip.h"
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/small.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
@@ -30,7 +31,8 @@ inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 // What a draw needs besides its vertices; draws share it until state changes.
 struct DrawState {
   const VertexState* vertex = nullptr;
-  // The same number: vertices of the draws come out of one vertex job alike.
+  // The same number: the vertex states differ in their matrices alone, and vertices of the draws
+  // can come out of one vertex job.
   uint32_t vertex_group = 0;
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
@@ -49,15 +51,16 @@ struct DrawRecord {
   uint32_t first = 0, count = 0;
   const std::byte* indices = nullptr;
   uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
+  // Of large indexed draws (shared_vertices.h): the vertex records of the elements from
+  // `first_shared` on. Else null, and packets make their own.
+  const float* shared = nullptr;
+  uint32_t first_shared = 0;
 };
 
 struct PacketRange {
   uint32_t draw = 0;
   uint32_t first_primitive = 0, primitive_count = 0;
 };
-
-// Set in the entries of bins that number a small primitive.
-inline constexpr uint32_t kSmallEntry = 0x80000000u;
 
 struct Packet {
   // Filled while recording.
@@ -69,6 +72,7 @@ struct Packet {
   // Filled by the front phase.
   std::vector<PrimitiveRecord> primitives;
   std::vector<SmallPrimitive> small;
+  std::vector<const float*> records;  // by range: its vertex records
   Bins bins;
 
   void reset() {
@@ -85,6 +89,14 @@ uint32_t primitive_count(Primitive primitive, uint32_t count);
 
 // How many vertices a primitive has that shares none with another; else 0.
 uint32_t corners_of(Primitive primitive);
+
+// The job that makes vertex records of elements of a draw.
+inline VertexJob make_vertex_job(const DrawRecord& draw, const uint32_t* elements, size_t count,
+                                 float* records) {
+  const ClipState& clip = draw.state->clip;
+  return {draw.sources, draw.state->vertex, clip.viewport, clip.guard,
+          clip.layout,  elements,           count,         records};
+}
 
 // Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.
 class FrontWorker;
@@ -105,9 +117,15 @@ struct TileWork {
 void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
                     const TileGrid& grid, TileWork& work);
 
+// What a worker has in the back phase; used for one tile after another.
+struct BackWorker {
+  SampleTiles tiles;
+  SmallShader small;
+};
+
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
-              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles);
+              const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker);
 
 }  // namespace clearpipe::pipeline

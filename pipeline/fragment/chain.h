@@ -53,11 +53,12 @@ struct ProgramBase {
   bool batches_small = false;     // see small.h
   UsageEntry* usage = nullptr;    // where its pixels count (usage.h)
   FragmentInputs inputs;
-  std::array<ChainStep, 14 + 2 * kMaxTextureUnits> steps;
+  std::array<ChainStep, 15 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
 
   bool early_depth = false;  // the depth test runs on rows, before batches are filled
   bool depth_test = false, depth_write = false;
+  int depth_bits = 24;
   CompareFunc depth_func = CompareFunc::kAlways;
   StencilState stencil;
   bool uses_depth_stencil = false;  // the chain reads and writes the stored values
@@ -72,6 +73,7 @@ struct ProgramBase {
   bool has_logic_op = false;
   LogicOp logic_op = LogicOp::kCopy;
   uint32_t colour_mask = 0xffffffffu;  // bits of a packed colour that may change
+  ColourFormat format = ColourFormat::kRgba8;
   // On a multisampled target.
   bool samples_apart = false;  // the samples are at their places, not all at the centre
   bool alpha_to_coverage = false, alpha_to_one = false;

@@ -1,7 +1,8 @@
 // The stencil and depth tests (4.1.4, 4.1.5) on packed values: depth << 8 | stencil.
 //
-// Depth is compared as the 24-bit integer that the buffer holds. Depths and stencil values are at
-// most 24 bits, so signed comparison serves.
+// Depth is compared as the integer of 16 or 24 bits that the buffer holds, so signed comparison
+// serves. A depth of 32 bits is the whole packed value; it is compared with its highest bit
+// inverted, which makes signed numbers of the same order.
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_DEPTH_STENCIL_INL_H_
@@ -27,23 +28,44 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct DepthState {
   bool test = false, write = false;
   CompareFunc func = CompareFunc::kAlways;
+  float most = 16777215.0f;  // the value of depth 1
+  bool whole = false;        // 32 bits
 };
 
 inline DepthState depth_state(const FragmentProgram& program) {
-  return {program.depth_test, program.depth_write, program.depth_func};
+  return {program.depth_test, program.depth_write, program.depth_func,
+          program.depth_bits == 16 ? 65535.0f : 16777215.0f, program.depth_bits == 32};
 }
 
-// Window depth clamped to [0, 1], as the nearest 24-bit value (2.10.1). NaN becomes 0, as Max takes
-// its second parameter then.
+// The same as 32 bits, with the highest inverted. A depth has 24 significant bits, so those below
+// 1/2 are exact or rounded as products, and what lies above 1/2 is exact.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, V z) {
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_whole_depth_value(D d, V z) {
+  const hn::RebindToSigned<D> di;
+  const V half = hn::Set(d, 0.5f), scale = hn::Set(d, 4294967296.0f);
+  const auto upper = hn::Ge(z, half);
+  const V above = hn::IfThenElse(upper, hn::Sub(z, half), z);
+  const V most = hn::Set(d, 2147483520.0f);  // the last number before the sign is reached
+  const auto value = hn::NearestInt(hn::Min(hn::Mul(above, scale), most));
+  const auto biased =
+      hn::IfThenElse(hn::RebindMask(di, upper), value, hn::Add(value, hn::Set(di, INT32_MIN)));
+  return hn::IfThenElse(hn::RebindMask(di, hn::Ge(z, hn::Set(d, 1.0f))), hn::Set(di, INT32_MAX),
+                        biased);
+}
+
+// Window depth clamped to [0, 1], as the nearest value of the buffer (2.10.1). NaN becomes 0, as
+// Max takes its second parameter then.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, const DepthState& depth, V z) {
   z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
-  return hn::NearestInt(hn::Mul(z, hn::Set(d, 16777215.0f)));
+  if (depth.whole) return to_whole_depth_value(d, z);
+  return hn::NearestInt(hn::Mul(z, hn::Set(d, depth.most)));
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const Plane& plane, V x, V y) {
-  return to_depth_value(d, evaluate(d, plane, x, y));
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const DepthState& depth,
+                                                      const Plane& plane, V x, V y) {
+  return to_depth_value(d, depth, evaluate(d, plane, x, y));
 }
 
 // Table 4.2: what an operation makes of the stored stencil value.
@@ -77,7 +99,9 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, const DepthState& depth,
                                           hn::Mask<D> live, V fragment_depth, V& packed) {
   const hn::RebindToUnsigned<D> du;
-  const V stored_depth = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, packed)));
+  const V highest = hn::Set(d, INT32_MIN);
+  const V stored_depth = depth.whole ? hn::Xor(packed, highest)
+                                     : hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, packed)));
   const V stored_stencil = hn::And(packed, hn::Set(d, 255));
   auto passes = live;
   V new_depth = stored_depth, new_stencil = stored_stencil;
@@ -104,7 +128,8 @@ HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, cons
     const V writable = hn::Set(d, stencil.write_mask);
     new_stencil = hn::Or(hn::And(new_stencil, writable), hn::AndNot(writable, stored_stencil));
   }
-  packed = hn::Or(hn::ShiftLeft<8>(new_depth), new_stencil);
+  packed =
+      depth.whole ? hn::Xor(new_depth, highest) : hn::Or(hn::ShiftLeft<8>(new_depth), new_stencil);
   return passes;
 }
 
@@ -119,7 +144,7 @@ inline void depth_stencil_stage(const Plane& plane, const StencilState& stencil,
     const auto live = hn::Ne(hn::PromoteTo(d, hn::Load(d16, lives + i)), hn::Zero(d));
     auto value = hn::Zero(d);
     if (depth.test) {
-      value = depth_value(df, plane, hn::Load(df, batch.x + i), hn::Load(df, batch.y + i));
+      value = depth_value(df, depth, plane, hn::Load(df, batch.x + i), hn::Load(df, batch.y + i));
     }
     auto packed = hn::Load(d, stored + i);
     const auto passes = depth_stencil_test(d, stencil, depth, live, value, packed);
@@ -153,8 +178,8 @@ inline void early_depth(const PrimitivePlanes& planes, const Plane& plane, const
       const auto column =
           hn::Add(hn::Add(hn::Set(df, static_cast<float>(tile.x + x)), hn::Iota(df, 0)), to_x);
       auto packed = hn::Load(d, stored + x);
-      const auto passes =
-          depth_stencil_test(d, no_stencil, depth, live, depth_value(df, plane, column, y), packed);
+      const auto passes = depth_stencil_test(d, no_stencil, depth, live,
+                                             depth_value(df, depth, plane, column, y), packed);
       if (depth.write) hn::Store(packed, d, stored + x);
       uint8_t bytes[8] = {};
       hn::StoreMaskBits(d, passes, bytes);

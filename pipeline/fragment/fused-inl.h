@@ -111,7 +111,9 @@ class FusedLoop {
         planes_(planes),
         tile_(tile),
         tests_(program.depth_test || program.stencil.enabled),
-        depth_(depth_state(program)) {
+        depth_(depth_state(program)),
+        truncates_(program.format != ColourFormat::kRgba8),
+        truncation_(truncation_of(program.format)) {
     needs_w_ = planes.perspective &&
                (kTextured || !planes.flat_colour || program.fog_mode != FogMode::kNone);
     blends_ = program.blend.enabled && !program.has_logic_op;
@@ -128,7 +130,7 @@ class FusedLoop {
     if (solid_) {
       Vec16 bytes[4];
       for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), flat_.channel[c]);
-      solid_pixels_ = pack_pixels(bytes).lower;
+      solid_pixels_ = pack_kept(bytes).lower;
     }
   }
 
@@ -312,7 +314,8 @@ class FusedLoop {
     const TagI d;
     auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + at);
     VecI packed = hn::Load(d, stored);
-    const VecI depth = depth_.test ? to_depth_value(TagF(), depth_plane_.at(x)) : hn::Zero(d);
+    const VecI depth =
+        depth_.test ? to_depth_value(TagF(), depth_, depth_plane_.at(x)) : hn::Zero(d);
     const MaskI passes = p_.stencil.enabled
                              ? depth_stencil_test(d, p_.stencil, depth_, live, depth, packed)
                              : depth_stencil_test(d, StencilState(), depth_, live, depth, packed);
@@ -345,7 +348,7 @@ class FusedLoop {
     const TagU d;
     uint32_t* to = tile_.colour + at;
     if (opaque_) {
-      store_live(pack_pixels(bytes), live, to);
+      store_live(pack_kept(bytes), live, to);
       return;
     }
     const Pair<VecU> stored = {hn::Load(d, to), hn::Load(d, to + kLanes)};
@@ -355,9 +358,21 @@ class FusedLoop {
       packed.lower = logic_op(d, p_.logic_op, packed.lower, stored.lower);
       packed.upper = logic_op(d, p_.logic_op, packed.upper, stored.upper);
     }
+    if (truncates_) packed = truncate_pixels(packed);
     const VecU writable = hn::Set(d, p_.colour_mask);
     store_half(packed.lower, stored.lower, writable, live.lower, to);
     store_half(packed.upper, stored.upper, writable, live.upper, to + kLanes);
+  }
+
+  // 4.1.8, on a surface of fewer bits.
+  HWY_INLINE Pair<VecU> truncate_pixels(const Pair<VecU>& pixels) const {
+    const TagU d;
+    return {truncate_colour(d, truncation_, pixels.lower),
+            truncate_colour(d, truncation_, pixels.upper)};
+  }
+  HWY_INLINE Pair<VecU> pack_kept(Vec16 bytes[4]) const {
+    const Pair<VecU> packed = pack_pixels(bytes);
+    return truncates_ ? truncate_pixels(packed) : packed;
   }
 
   static HWY_INLINE void store_live(const Pair<VecU>& pixels, const Pair<MaskI>& live,
@@ -396,6 +411,8 @@ class FusedLoop {
   Tile& tile_;
   const bool tests_;
   const DepthState depth_;
+  const bool truncates_;
+  const Truncation truncation_;
   bool needs_w_;
   bool blends_;
   bool opaque_;  // every fragment that lives replaces the whole pixel

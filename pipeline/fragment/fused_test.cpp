@@ -153,8 +153,11 @@ class Fused : public ::testing::TestWithParam<int> {
 
 TEST_P(Fused, GivesTheBitsOfTheChain) {
   const FragmentState s = state();
+  FragmentTarget target = {true, true};
+  if (chance(3)) target.format = any<ColourFormat>(4);
+  if (chance(3)) target.depth_bits = 16;
   const std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program(
-      make_fragment_program(s, {true, true}, FragmentCoverage::kCentre), destroy_fragment_program);
+      make_fragment_program(s, target, FragmentCoverage::kCentre), destroy_fragment_program);
   const bool one_lane = std::string_view(simd_target_name()) == "SCALAR";
   ASSERT_EQ(program->fused == nullptr, one_lane);
   for (int round = 0; round < 3; ++round) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "pipeline/colour_format.h"
 #include "pipeline/raster/samples.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/state.h"
@@ -65,8 +66,10 @@ struct FragmentProgram;  // opaque outside fragment/
 // owned by the caller's arena through destroy_fragment_program.
 struct FragmentTarget {
   bool has_depth = false, has_stencil = false;
+  int depth_bits = 24;
   bool multisampled = false;  // then the program is for shade_samples
   bool srgb = false;          // colours are written sRGB-encoded
+  ColourFormat format = ColourFormat::kRgba8;
 
   bool operator==(const FragmentTarget&) const = default;
 };

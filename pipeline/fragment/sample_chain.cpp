@@ -77,6 +77,8 @@ class SampleChain {
       if (step.stage == FragmentStage::blend || step.stage == FragmentStage::blend_srgb ||
           step.stage == FragmentStage::logic_op) {
         combine = &step;
+      } else if (step.stage == FragmentStage::truncate) {
+        continue;  // after the above
       } else if (step.stage == FragmentStage::test_depth_stencil) {
         if (!test_samples()) return;
       } else {
@@ -123,6 +125,9 @@ class SampleChain {
       gathered_.load(tiles_[s].colour, batch.stored_colour);
       std::memcpy(batch.colour, source, sizeof(source));
       if (combine != nullptr) run_stage(context_, *combine, batch);
+      if (context_.program.format != ColourFormat::kRgba8) {
+        truncate_stage(context_.program.format, batch);
+      }
       mask_stage(context_.program.colour_mask, batch, batch.sample_live[s]);
       gathered_.store(batch.colour, tiles_[s].colour);
     }
@@ -189,7 +194,6 @@ using RunSampleChainFunction = void (*)(const FragmentProgram&, const PrimitiveP
 
 static RunSampleChainFunction resolve() {
   select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return static_cast<RunSampleChainFunction>(HWY_DYNAMIC_DISPATCH(RunSampleChain));
 }
 

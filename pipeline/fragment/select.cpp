@@ -98,6 +98,7 @@ void select_write_stages(const FragmentState& state, bool srgb, FragmentProgram&
     add(blends ? FragmentStage::blend_srgb : FragmentStage::pack_srgb);
   }
   if (state.logic_op_enabled) add(FragmentStage::logic_op);
+  if (program.format != ColourFormat::kRgba8) add(FragmentStage::truncate);
 }
 
 void select_stages(const FragmentState& state, FragmentCoverage coverage, bool srgb,
@@ -156,6 +157,8 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
   program->depth_test = state.depth_test && target.has_depth;
   program->depth_write = program->depth_test && state.depth_write;
   program->depth_func = state.depth_func;
+  program->depth_bits = target.depth_bits;
+  program->format = target.format;
   program->inputs.depth = program->depth_test;
   program->stencil = state.stencil;
   program->stencil.enabled = state.stencil.enabled && target.has_stencil;
@@ -178,7 +181,8 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
   select_stages(state, coverage, target.srgb, *program);
   static const bool allowed = fused_allowed();
   const bool chain_only =
-      target.multisampled || target.srgb || program->antialiased ||
+      target.multisampled || target.srgb || (program->depth_test && target.depth_bits == 32) ||
+      program->antialiased ||
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {

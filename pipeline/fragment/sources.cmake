@@ -15,7 +15,7 @@ if(CLEARPIPE_SANITIZE)
 endif()
 
 if(CLEARPIPE_TESTS)
-  foreach(test shade fused antialias cube multisample srgb)
+  foreach(test shade fused antialias cube multisample srgb format)
     add_executable(${test}_test ${CMAKE_CURRENT_LIST_DIR}/${test}_test.cpp)
     target_link_libraries(${test}_test PRIVATE clearpipe_pipeline GTest::gtest_main)
     foreach(simd scalar sse4 avx2 avx512)

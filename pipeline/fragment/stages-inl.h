@@ -116,6 +116,10 @@ inline void logic_op(const StageContext& context, FragmentBatch& batch, int) {
   logic_op_stage(context.program.logic_op, batch);
 }
 
+inline void truncate(const StageContext& context, FragmentBatch& batch, int) {
+  truncate_stage(context.program.format, batch);
+}
+
 }  // namespace stage
 
 inline void run_stage(const StageContext& context, const ChainStep& step, FragmentBatch& batch) {

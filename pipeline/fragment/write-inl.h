@@ -1,5 +1,5 @@
-// The end of a fragment (4.1.7 to 4.2.2): blending or the logical operation, the colour mask, and
-// the store into the tile.
+// The end of a fragment (4.1.7 to 4.2.2): blending or the logical operation, the bits that the
+// format has, the colour mask, and the store into the tile.
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_WRITE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_WRITE_INL_H_
@@ -75,6 +75,26 @@ inline void logic_op_stage(LogicOp op, FragmentBatch& batch) {
     const auto s = hn::Load(d, batch.colour + i);
     const auto t = hn::Load(d, batch.stored_colour + i);
     hn::Store(logic_op(d, op, s, t), d, batch.colour + i);
+  }
+}
+
+// 4.1.8: what the format has of a packed colour (colour_format.h).
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V truncate_colour(D d, const Truncation& to, V pixel) {
+  const hn::RebindToSigned<D> di;
+  const V top = hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(di, pixel)));
+  V result = hn::And(pixel, hn::Set(d, to.keep));
+  result = hn::Or(result, hn::And(hn::ShiftRight<4>(pixel), hn::Set(d, to.from4)));
+  result = hn::Or(result, hn::And(hn::ShiftRight<5>(pixel), hn::Set(d, to.from5)));
+  result = hn::Or(result, hn::And(hn::ShiftRight<6>(pixel), hn::Set(d, to.from6)));
+  return hn::Or(result, hn::And(top, hn::Set(d, to.from_top)));
+}
+
+inline void truncate_stage(ColourFormat format, FragmentBatch& batch) {
+  const hn::ScalableTag<uint32_t> d;
+  const Truncation to = truncation_of(format);
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    hn::Store(truncate_colour(d, to, hn::Load(d, batch.colour + i)), d, batch.colour + i);
   }
 }
 

@@ -79,6 +79,12 @@ void resolve_srgb(const Tile* tiles, uint32_t* mean) {
   }
 }
 
+// A mean that the format does not have is truncated as fragments are.
+void truncate_tile(ColourFormat format, uint32_t* pixels) {
+  std::transform(pixels, pixels + kTilePixels, pixels,
+                 [format](uint32_t pixel) { return truncate(format, pixel); });
+}
+
 // The pixels themselves, not their samples.
 TilePlane pixels_of(const ColourBuffer& buffer, size_t tile_index, const Tile& tile,
                     uint32_t* memory) {
@@ -199,6 +205,7 @@ void TilePlanes::resolve() {
   } else {
     pixels.overwrite();
     (to.srgb ? resolve_srgb : resolve_samples)(tiles_.tiles.data(), pixels.memory());
+    if (to.format != ColourFormat::kRgba8) truncate_tile(to.format, pixels.memory());
   }
   pixels.store();
   if (samples_discarded()) to.samples->discarded[tile_index_] = 0;

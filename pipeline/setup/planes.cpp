@@ -78,11 +78,13 @@ SmoothRegion smooth_region(const SetupState& state, const PrimitiveRecord& p) {
           window_y(state, p.vertex[1]) - window_y(state, p.vertex[0])};
 }
 
-// 3.5.2: o = m * factor + r * units, with r the smallest step of a 24-bit depth buffer.
-float polygon_offset(const RasterState& raster, const Plane& depth) {
-  constexpr float kResolution = 1.0f / 16777215.0f;
+// 3.5.2: o = m * factor + r * units, with r the smallest step of the depth buffer, or of window
+// depth itself where that is coarser.
+float polygon_offset(const SetupState& state, const Plane& depth) {
+  const RasterState& raster = state.raster;
+  const float resolution = state.depth_bits == 16 ? 1.0f / 65535.0f : 1.0f / 16777215.0f;
   const float slope = std::max(std::fabs(depth.dx), std::fabs(depth.dy));
-  const float offset = slope * raster.offset_factor + kResolution * raster.offset_units;
+  const float offset = slope * raster.offset_factor + resolution * raster.offset_units;
   if (raster.offset_clamp == 0) return offset;  // EXT_polygon_offset_clamp
   return raster.offset_clamp > 0 ? std::min(offset, raster.offset_clamp)
                                  : std::max(offset, raster.offset_clamp);
@@ -126,7 +128,7 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
   if (state.inputs.depth) {
     out.depth = basis.plane(window_z(v[0]), window_z(v[1]), window_z(v[2]));
     if (state.raster.offset_fill && p.kind == PrimitiveKind::kTriangle) {
-      out.depth.value += polygon_offset(state.raster, out.depth);
+      out.depth.value += polygon_offset(state, out.depth);
     }
   }
   float scale[3] = {1, 1, 1};

@@ -16,7 +16,7 @@
 
 namespace clearpipe::pipeline {
 
-enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle };
+enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle };  // of one, two, three vertices
 
 // What setup needs to know of a draw, the same for all its primitives.
 struct SetupState {
@@ -26,6 +26,7 @@ struct SetupState {
   FragmentInputs inputs;
   FragmentCoverage coverage = FragmentCoverage::kCentre;
   float point_fade_threshold = 1;  // multisampled points are at least as large (3.3)
+  int depth_bits = 24;             // of the depth buffer
   int mirror_height = 0;           // > 0: record y counts down from the top of a surface this high
   bool two_sided = false;          // back colour at layout.back_colour_offset
 };

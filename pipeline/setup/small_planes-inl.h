@@ -54,15 +54,20 @@ struct TriangleBasis {
   }
 };
 
-HWY_INLINE void store_planes(const Planes4& planes, Plane* out) {
-  static_assert(sizeof(Plane) == 3 * sizeof(float));
-  hn::StoreInterleaved3(planes.value, planes.dx, planes.dy, Tag4(), &out->value);
+HWY_INLINE void store_planes(const Planes4& planes, SmallPlanes::Four& out) {
+  const Tag4 d;
+  hn::Store(planes.value, d, out.value);
+  hn::Store(planes.dx, d, out.dx);
+  hn::Store(planes.dy, d, out.dy);
 }
 
-HWY_INLINE void make_triangle_planes(const SetupState& state, const SmallPrimitive& p,
-                                     PrimitivePlanes& out) {
+HWY_INLINE void make_triangle_planes(const SetupState& state, const float* records,
+                                     const SmallPrimitive& p, SmallPlanes& out) {
   const Tag4 d;
-  const float *v0 = p.vertex[0], *v1 = p.vertex[1], *v2 = p.vertex[2];
+  const size_t stride = state.layout.stride;
+  const float* v0 = records + p.vertex[0] * stride;
+  const float* v1 = records + p.vertex[1] * stride;
+  const float* v2 = records + p.vertex[2] * stride;
   const float* w0 = v0 + vertex_record::kWindow;
   const float* w1 = v1 + vertex_record::kWindow;
   const float* w2 = v2 + vertex_record::kWindow;
@@ -71,12 +76,8 @@ HWY_INLINE void make_triangle_planes(const SetupState& state, const SmallPrimiti
   out.x_ref = w0[0];
   out.y_ref = mirror_height > 0 ? mirror_height - w0[1] : w0[1];
   out.perspective = w0[3] != w1[3] || w0[3] != w2[3];
-  {
-    const Planes4 window = basis.planes(hn::LoadU(d, w0), hn::LoadU(d, w1), hn::LoadU(d, w2));
-    Plane planes[4];
-    store_planes(window, planes);
-    out.depth = planes[2];
-    out.inv_w = planes[3];
+  if (state.inputs.depth || out.perspective) {
+    store_planes(basis.planes(hn::LoadU(d, w0), hn::LoadU(d, w1), hn::LoadU(d, w2)), out.window);
   }
   Vec4f s0 = hn::Set(d, 1.0f), s1 = s0, s2 = s0;
   if (out.perspective) {
@@ -102,12 +103,7 @@ HWY_INLINE void make_triangle_planes(const SetupState& state, const SmallPrimiti
     colour = {hn::Mul(colour.value, one), hn::Mul(colour.dx, one), hn::Mul(colour.dy, one)};
     store_planes(colour, out.colour);
   }
-  if (state.inputs.fog) {
-    Plane planes[4];
-    store_planes(varying_at(vertex_record::kOutcode), planes);
-    static_assert(vertex_record::kFog == vertex_record::kOutcode + 2);
-    out.fog = planes[2];
-  }
+  if (state.inputs.fog) store_planes(varying_at(vertex_record::kOutcode), out.fog_group);
   for (int unit = 0; state.inputs.texture_units >> unit != 0; ++unit) {
     if ((state.inputs.texture_units >> unit & 1) == 0) continue;
     store_planes(varying_at(state.layout.texture_offset[unit]), out.texture[unit]);
@@ -117,15 +113,15 @@ HWY_INLINE void make_triangle_planes(const SetupState& state, const SmallPrimiti
 #endif  // HWY_TARGET != HWY_SCALAR
 
 // As make_planes does it for primitives of other kinds.
-HWY_INLINE void small_planes(const SetupState& state, const SmallPrimitive& p,
-                             PrimitivePlanes& out) {
+HWY_INLINE void small_planes(const SetupState& state, const float* records, const SmallPrimitive& p,
+                             SmallPlanes& out) {
 #if HWY_TARGET != HWY_SCALAR
   if (p.kind == PrimitiveKind::kTriangle && !state.raster.offset_fill) {
-    make_triangle_planes(state, p, out);
+    make_triangle_planes(state, records, p, out);
     return;
   }
 #endif
-  make_small_planes(state, p, out);
+  make_small_planes(state, records, p, out);
 }
 
 }  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE

@@ -103,11 +103,13 @@ HWY_INLINE void setup_lanes(const SetupState& state, const TriangleJob& job, siz
   const TagF df;
   const VecI zero = hn::Zero(d);
   const MaskI none = hn::Lt(zero, zero);
+  const MaskI in_use = hn::FirstN(d, job.count - i);  // lanes behind repeat the first vertex
   Corner corner[3];
   VecI any = zero, all = hn::Set(d, ~int32_t{kOutcodeGuard});
   MaskI far = none;
   for (int k = 0; k < 3; ++k) {
-    const VecI at = hn::Mul(hn::LoadU(d, job.corner[k] + i), hn::Set(d, state.layout.stride));
+    const VecI number = hn::IfThenElseZero(in_use, hn::LoadU(d, job.corner[k] + i));
+    const VecI at = hn::Mul(number, hn::Set(d, state.layout.stride));
     const auto* codes = reinterpret_cast<const int32_t*>(job.records + vertex_record::kOutcode);
     const VecI outcode = hn::GatherIndex(d, codes, at);
     any = hn::Or(any, outcode);
@@ -170,15 +172,15 @@ HWY_INLINE void setup_lanes(const SetupState& state, const TriangleJob& job, siz
     const VecI facing =
         hn::IfThenElse(front, fate(TriangleFate::kSmallFront), fate(TriangleFate::kSmallBack));
     result = hn::IfThenElse(small, hn::IfThenElseZero(covers, facing), result);
-    hn::Store(x0, d, job.x + i);
-    hn::Store(y0, d, job.y + i);
-    hn::Store(hn::BitCast(hn::RebindToUnsigned<TagI>(), low), hn::RebindToUnsigned<TagI>(),
-              job.mask_low + i);
-    hn::Store(hn::BitCast(hn::RebindToUnsigned<TagI>(), high), hn::RebindToUnsigned<TagI>(),
-              job.mask_high + i);
+    hn::StoreU(x0, d, job.x + i);
+    hn::StoreU(y0, d, job.y + i);
+    hn::StoreU(hn::BitCast(hn::RebindToUnsigned<TagI>(), low), hn::RebindToUnsigned<TagI>(),
+               job.mask_low + i);
+    hn::StoreU(hn::BitCast(hn::RebindToUnsigned<TagI>(), high), hn::RebindToUnsigned<TagI>(),
+               job.mask_high + i);
   }
   static_assert(static_cast<int>(TriangleFate::kNothing) == 0);
-  hn::Store(hn::IfThenZeroElse(outside, result), d, job.fate + i);
+  hn::StoreU(hn::IfThenZeroElse(outside, result), d, job.fate + i);
 }
 
 }  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE

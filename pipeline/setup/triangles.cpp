@@ -31,7 +31,6 @@ using SetupTrianglesFunction = void (*)(const SetupState&, const TriangleJob&);
 
 static SetupTrianglesFunction resolve() {
   select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return static_cast<SetupTrianglesFunction>(HWY_DYNAMIC_DISPATCH(SetupTriangles));
 }
 

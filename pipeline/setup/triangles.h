@@ -26,7 +26,7 @@ template <size_t kCount>
 struct TriangleSet {
   static constexpr size_t kPadded = kCount + kTriangleLanes;
 
-  alignas(64) std::array<int32_t, kPadded> corner[3];  // numbers of vertex records
+  alignas(64) std::array<int32_t, kPadded> corner[3]{};  // numbers of vertex records
   // Filled by setup_triangles; the mask and its place for small ones only.
   alignas(64) std::array<int32_t, kPadded> fate, x, y;
   alignas(64) std::array<uint32_t, kPadded> mask_low, mask_high;
