@@ -10,6 +10,7 @@
 //     --amount N                        of triangles, draws, ... in a frame
 //     --image file.png                  then draws frame 0 once more and writes it
 //     --times                           prints the time of each frame as well, in ms
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +25,12 @@
 
 namespace bench {
 namespace {
+
+// Of the library bench_allocations, when that is preloaded.
+extern "C" {
+[[gnu::weak]] long bench_allocations();
+[[gnu::weak]] void bench_trace_allocations(int on);
+}
 
 // What the first frames do once, and what they wake, is not what a frame costs.
 constexpr int kWarmUp = 3;
@@ -152,6 +159,19 @@ int run(const Options& options) {
   for (int i = 1; i < kWarmUp; ++i) frame(i);
   const Times times = measure([&](int i) { frame(kWarmUp + i); }, options.frames, options.seconds);
   const long memory = peak_memory();
+  long allocations = -1;
+  if (bench_allocations != nullptr) {
+    // Of a frame that is like those before in everything. Which worker does what differs, so one
+    // may still meet more work than it ever did: the least of some frames is what is steady.
+    for (int i = 0; i < 10; ++i) {
+      const long before = bench_allocations();
+      bench_trace_allocations(i >= 4);
+      frame(0);
+      const long asked = bench_allocations() - before;
+      allocations = i == 4 ? asked : std::min(allocations, asked);
+    }
+    bench_trace_allocations(0);
+  }
 
   if (!options.image.empty()) {
     scene->frame(view, 0);
@@ -165,11 +185,11 @@ int run(const Options& options) {
   std::printf(
       "scenes: scene=%s size=%dx%d amount=%d frames=%.0f median_ms=%.4f mean_ms=%.4f "
       "worst_ms=%.4f user_ms=%.4f sys_ms=%.4f first_ms=%.3f open_ms=%.3f units=%.0f unit=%s "
-      "peak_kib=%ld renderer=\"%s\"\n",
+      "peak_kib=%ld allocations=%ld renderer=\"%s\"\n",
       scene->name, view.width, view.height, view.amount, frames, 1e3 * times.median(),
       1e3 * times.total() / frames, 1e3 * times.worst(), 1e3 * times.used.user / frames,
       1e3 * times.used.system / frames, 1e3 * (first - start), 1e3 * (ready - start), units,
-      scene->unit, memory, text(GL_RENDERER));
+      scene->unit, memory, allocations, text(GL_RENDERER));
   if (options.times) {
     std::printf("times:");
     for (const double time : times.frames) std::printf(" %.4f", 1e3 * time);

@@ -71,6 +71,15 @@ class Measurement:
         ours, theirs = (self.median(scene_name, which, field) for which in (self.implementations[0], other))
         return theirs / ours if ours and theirs else None
 
+    def cpu_ratios(self, other):
+        """The same of CPU time, which what the machine does besides disturbs less."""
+        found = {}
+        for name in self.ratios(other):
+            ours, theirs = self.cpu(name, self.implementations[0]), self.cpu(name, other)
+            if ours and theirs:
+                found[name] = theirs / ours
+        return found
+
     def ratios(self, other, field="median_ms"):
         found = {name: self.ratio(name, other, field) for name in self.results}
         return {name: ratio for name, ratio in found.items() if ratio is not None}

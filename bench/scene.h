@@ -36,9 +36,9 @@ struct Scene {
   bool window = false;              // is drawn into a window, and a frame ends by showing it
   int square = 0;                   // its surface is of this size, whatever is asked for
   double bytes = 0;                 // that have to move through memory for one unit, if that is
-                                    // what the scene is about
+                                    // what the scene is about; read and written ones count once
   const char* traffic = nullptr;    // and how: "write" as memset, "copy" as memcpy, "update" as
-                                    // reading and writing in place
+                                    // adding to numbers in place
   double share = 0.999;             // of the pixels that must be within 2/255 of the reference
 };
 

@@ -8,6 +8,7 @@ import runs
 from measuring import geometric_mean
 
 # What the second thread is asked about.
+BUSY = 2  # more than this many others that want to run, and threads say nothing
 SCALED = ("fill_gouraud_depth", "texture_bilinear", "blend_16", "mesh_unlit", "mesh_eight_lights")
 
 
@@ -72,6 +73,7 @@ def summary(measurement):
         worst = min(ratios, key=ratios.get)
         lines += [f"{first.name} against {other.name}, {len(ratios)} scenes:", "",
                   f"- frames: geometric mean {geometric_mean(ratios.values()):.2f}; the worst is {worst} with {ratios[worst]:.2f}",
+                  f"- CPU time of all threads: geometric mean {geometric_mean(measurement.cpu_ratios(other).values()):.2f}",
                   f"- under 2: {', '.join(f'{name} {ratios[name]:.2f}' for name in slow) or 'none'}",
                   "- from the start of the process to its first frame: geometric mean "
                   f"{geometric_mean(measurement.ratios(other, 'first_ms').values()):.2f}",
@@ -86,18 +88,20 @@ def summary(measurement):
 
 
 def new_states(measurement):
-    """The scene each of whose frames has a state of its own."""
-    if "states_new" not in measurement.results:
+    """The scene each of whose frames has a state of its own, beside the one whose frames share three."""
+    if "states_new" not in measurement.results or "states_seen" not in measurement.results:
         return ""
     rows = []
     for which in measurement.implementations:
         rounds = measurement.results["states_new"].get(which.name)
-        if rounds:
+        seen = measurement.median("states_seen", which, "median_ms")
+        if rounds and seen:
             worst = statistics.median(r["worst_ms"] for r in rounds)
             median = statistics.median(r["median_ms"] for r in rounds)
-            rows.append([which.name, number(median), number(worst), times(worst / median)])
-    return "What a new state costs: `states_new`.\n\n" + table(
-        ["implementation", "median frame, ms", "worst frame, ms (median of rounds)", "worst / median"], rows)
+            rows.append([which.name, number(median), number(worst), times(worst / median), number(seen), times(median / seen)])
+    return "What a new state costs: `states_new` beside `states_seen`.\n\n" + table(
+        ["implementation", "new: median frame, ms", "worst frame, ms (median of rounds)", "worst / median", "seen: median frame, ms",
+         "new / seen"], rows)
 
 
 def second_thread(measurement, chosen):
@@ -106,6 +110,9 @@ def second_thread(measurement, chosen):
     wanted = [scene for scene in chosen if scene.name in SCALED]
     if not wanted or (os.cpu_count() or 1) < 2:
         return ""
+    load = os.getloadavg()[0]
+    if load > os.cpu_count() + BUSY:
+        return f"The second thread was not measured: with a load average of {load:.1f} it has no processor of its own."
     rows = []
     for scene in wanted:
         found = {1: [], 2: []}

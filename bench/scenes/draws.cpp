@@ -168,6 +168,9 @@ void new_state(const View& view, int number) {
   }
 }
 
+// The same with three states in turns, which the frames before the measured ones have shown.
+void seen_state(const View& view, int number) { new_state(view, number % 3); }
+
 constexpr int kDraws = 5000;
 
 constexpr Scene scene(const char* name, const char* what, double (*prepare)(const View&),
@@ -196,6 +199,13 @@ constexpr std::array kScenes = {
           .amount = 64,
           .set_up = set_up_new_states,
           .frame = new_state,
+          .share = 0.99},
+    Scene{.name = "states_seen",
+          .what = "the same, each frame in one of three states",
+          .unit = "frame",
+          .amount = 64,
+          .set_up = set_up_new_states,
+          .frame = seen_state,
           .share = 0.99},
 };
 

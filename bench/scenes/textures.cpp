@@ -156,7 +156,7 @@ constexpr std::array kScenes = {
     scene("texture_trilinear_grazing", "a floor and a ceiling, trilinear", trilinear_grazing,
           grazing),
     scene("texture_anisotropic_grazing", "a floor and a ceiling, 8 times anisotropic",
-          anisotropic_grazing, grazing, 0.75),
+          anisotropic_grazing, grazing, 0.7),
     scene("units_two_modulated", "two bilinear textures, modulated", two_units),
     scene("units_two_combined", "two: modulated and scaled, interpolated", two_combined),
     scene("units_three_combined", "three: modulated, added, and their dot product", three_combined),
