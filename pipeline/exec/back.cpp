@@ -6,6 +6,7 @@
 
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/small.h"
+#include "pipeline/exec/tile_depth.h"
 #include "pipeline/fragment/usage.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
@@ -31,9 +32,11 @@ void clear_tile_plane(const ClearCommand& clear, bool whole, const Tile& tile, u
   }
 }
 
-void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& planes) {
+void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& planes,
+                  TileDepth& depth) {
   const Tile& tile = planes.tile();
   const bool whole = covers_tile(clear, target, tile);
+  if (clear.depth) depth.cleared(clear.depth_value, whole);
   for (int s = 0; s < planes.samples(); ++s) {
     clear_tile_plane(clear, whole, tile, clear.colour_value, colour_clear_mask(clear),
                      planes.colour(s));
@@ -51,10 +54,14 @@ bool cover(const PrimitiveRecord& primitive, const TilePlanes& planes, Coverage*
   return true;
 }
 
-bool is_whole(const Coverage& coverage) {
-  return coverage.first_row == 0 && coverage.last_row == kTileHeight &&
-         std::all_of(coverage.rows, coverage.rows + kTileHeight,
-                     [](uint64_t row) { return row == ~uint64_t{0}; });
+// Whether all pixels of the tile that are the target's are covered.
+bool is_whole(const Coverage& coverage, const Target& target, const Tile& tile) {
+  const int columns = std::min(target.width - tile.x, kTileWidth);
+  const int rows = std::min(target.height - tile.y, kTileHeight);
+  const uint64_t row = ~uint64_t{0} >> (kTileWidth - columns);
+  return coverage.first_row == 0 && coverage.last_row == rows &&
+         std::all_of(coverage.rows, coverage.rows + rows,
+                     [row](uint64_t covered) { return covered == row; });
 }
 
 // Whether a clear leaves nothing visible of what came before it.
@@ -66,20 +73,38 @@ bool hides_all(const ClearCommand& clear, const Target& target, const Tile& tile
 
 // A primitive that is not small: its coverage, its planes, its pixels.
 void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord& primitive,
-                     TilePlanes& planes, SampleTiles& tiles) {
+                     const Target& target, TilePlanes& planes, TileDepth& depth,
+                     SampleTiles& tiles) {
+  const DrawState& draw = *draws[primitive.draw].state;
+  const Tile& tile = tiles.tiles[0];
   const int samples = planes.samples();
+  const DepthRule& rule = draw.outputs.depth;
+  PrimitivePlanes attributes;
+  DepthRange range;
+  if (rule.test && samples == 1) {
+    make_depth_plane(draw.setup, primitive, attributes);
+    range = depth_range(attributes.depth, attributes.x_ref, attributes.y_ref, primitive, tile,
+                        rule.one);
+    if (rule.traceless && depth.hides(rule.func, range)) return;
+  }
   Coverage coverage[kSampleCount];
   if (!cover(primitive, planes, coverage)) return;
-  const DrawState& draw = *draws[primitive.draw].state;
-  planes.prepare(draw.outputs,
-                 draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
+  const bool whole = std::all_of(coverage, coverage + samples,
+                                 [&](const Coverage& c) { return is_whole(c, target, tile); });
   if (counts_usage()) count_coverage(*draw.program, coverage, samples);
-  PrimitivePlanes attributes;
   make_planes(draw.setup, primitive, attributes);
+  if (whole && draw.outputs.solid && attributes.flat_colour) {
+    const uint32_t pixel = solid_pixel(*draw.program, attributes);
+    for (int s = 0; s < samples; ++s) planes.colour(s).set_uniform(pixel);
+    return;
+  }
+  planes.prepare(draw.outputs, draw.outputs.replaces && whole);
   if (samples > 1) {
     shade_samples(*draw.program, attributes, coverage, tiles.tiles.data());
+    depth.drawn(rule);
   } else {
     shade(*draw.program, attributes, coverage[0], tiles.tiles[0]);
+    depth.drawn(rule, range, whole);
   }
 }
 
@@ -95,12 +120,13 @@ void count_small(const FragmentProgram& program, const Packet& packet,
 
 // The primitives of a packet that touch the tile.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
-                  std::span<const uint32_t> entries, TilePlanes& planes, BackWorker& worker) {
+                  std::span<const uint32_t> entries, const Target& target, TilePlanes& planes,
+                  TileDepth& depth, BackWorker& worker) {
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
     if ((index & kSmallEntry) == 0) {
       worker.small.flush();
-      shade_primitive(draws, packet.primitives[index], planes, worker.tiles);
+      shade_primitive(draws, packet.primitives[index], target, planes, depth, worker.tiles);
       ++at;
     } else {
       const SmallPrimitive& small = packet.small[index & ~kSmallEntry];
@@ -111,6 +137,7 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
       if (counts_usage()) {
         count_small(*draw.program, packet, rest.first(taken), worker.tiles.tiles[0]);
       }
+      depth.drawn(draw.outputs.depth);
       at += taken;
     }
   }
@@ -138,6 +165,7 @@ void run_back(const std::vector<DrawRecord>& draws,
     tile.mirror_height = target.mirrored ? target.height : 0;
   }
   TilePlanes planes(target, worker.tiles, tile_index);
+  TileDepth depth(planes.depth_stencil(0));
   // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
   // what came before it.
   const std::span<const TileLists::Reference> lists = work.lists.tile(tile_index);
@@ -156,12 +184,12 @@ void run_back(const std::vector<DrawRecord>& draws,
     if (clear < work.clears.size() &&
         (next == lists.size() || work.clears[clear] < lists[next].packet)) {
       worker.small.flush();
-      clear_planes(packets[work.clears[clear++]]->clear, target, planes);
+      clear_planes(packets[work.clears[clear++]]->clear, target, planes, depth);
       continue;
     }
     const Packet& packet = *packets[lists[next].packet];
     const Bins::List& list = packet.bins.lists()[lists[next].list];
-    shade_packet(draws, packet, packet.bins.primitives(list), planes, worker);
+    shade_packet(draws, packet, packet.bins.primitives(list), target, planes, depth, worker);
     ++next;
   }
   worker.small.flush();

@@ -177,8 +177,8 @@ class FrontWorker {
     emit(draws, ranges, packet);
   }
 
-  // Primitives from the records of their vertices; ranges of triangles or of lines whose draws setup
-  // cannot tell apart are set up together.
+  // Primitives from the records of their vertices; ranges of triangles or of lines whose draws
+  // setup cannot tell apart are set up together.
   void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
             Packet& packet) {
     uint32_t first = 0;

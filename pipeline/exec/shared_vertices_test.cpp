@@ -133,13 +133,13 @@ TEST(SharedVertices, OfLargeDenseDraws) {
   DrawState state;
   state.clip.layout = make_vertex_layout({});
   const VertexState vertex;
-  state.vertex = &vertex;
   const Grid grid(1000);
   std::vector<uint32_t> scattered = grid.indices;
   scattered[5] = 4000000000u;
   std::vector<DrawRecord> draws(4);
   for (DrawRecord& draw : draws) {
     draw.state = &state;
+    draw.vertex = &vertex;
     draw.index_type = IndexType::kUnsignedInt;
     draw.count = static_cast<uint32_t>(grid.indices.size());
     draw.indices = reinterpret_cast<const std::byte*>(grid.indices.data());

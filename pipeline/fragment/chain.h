@@ -72,6 +72,7 @@ struct ProgramBase {
   BlendState blend;
   bool has_logic_op = false;
   LogicOp logic_op = LogicOp::kCopy;
+  bool srgb = false;                   // colours are written sRGB-encoded
   uint32_t colour_mask = 0xffffffffu;  // bits of a packed colour that may change
   ColourFormat format = ColourFormat::kRgba8;
   // On a multisampled target.

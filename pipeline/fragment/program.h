@@ -88,13 +88,28 @@ struct FragmentInputs {
 };
 FragmentInputs fragment_inputs(const FragmentProgram& program);
 
+// What the depth test of the program does (4.1.5).
+struct DepthRule {
+  bool test = false;  // on values that can be compared as integers of 24 bits
+  bool write = false;
+  bool discards = false;   // something else may keep a fragment from being stored
+  bool traceless = false;  // a fragment that fails changes nothing, the stencil neither
+  CompareFunc func = CompareFunc::kAlways;
+  float one = 16777215.0f;  // the buffer's value of depth 1
+};
+
 // What the program does to the tile's planes.
 struct FragmentOutputs {
+  DepthRule depth;
   bool colour = false;    // writes colour
+  bool solid = false;     // and it is that of the primitive, for all of its pixels
   bool replaces = false;  // every covered pixel gets a colour that does not depend on what it had
   bool depth_stencil_read = false, depth_stencil_write = false;
 };
 FragmentOutputs fragment_outputs(const FragmentProgram& program);
+
+// The pixel that a program with FragmentOutputs::solid writes for a primitive of one colour.
+uint32_t solid_pixel(const FragmentProgram& program, const PrimitivePlanes& planes);
 
 // Shades the pixels in `coverage`; colour and depth/stencil of `tile` are updated in place.
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,

@@ -159,6 +159,7 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
   program->depth_func = state.depth_func;
   program->depth_bits = target.depth_bits;
   program->format = target.format;
+  program->srgb = target.srgb;
   program->inputs.depth = program->depth_test;
   program->stencil = state.stencil;
   program->stencil.enabled = state.stencil.enabled && target.has_stencil;
@@ -200,15 +201,36 @@ FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.
 
 FragmentOutputs fragment_outputs(const FragmentProgram& program) {
   const bool stencil = program.stencil.enabled;
+  const bool discards = program.alpha_test || program.antialiased || program.alpha_to_coverage ||
+                        program.sample_mask != kAllSamples;
   FragmentOutputs outputs;
   outputs.colour = program.colour_mask != 0;
   outputs.depth_stencil_read = program.depth_test || stencil;
   outputs.depth_stencil_write = program.depth_write || stencil;
   outputs.replaces = program.colour_mask == 0xffffffffu && !outputs.depth_stencil_read &&
-                     !program.alpha_test && !program.blend.enabled && !program.has_logic_op &&
-                     !program.antialiased && !program.alpha_to_coverage &&
-                     program.sample_mask == kAllSamples;
+                     !discards && !program.blend.enabled && !program.has_logic_op;
+  outputs.solid = outputs.replaces && !program.srgb && program.inputs.texture_units == 0 &&
+                  program.fog_mode == FogMode::kNone;
+  DepthRule& depth = outputs.depth;
+  depth.test = program.depth_test && program.depth_bits != 32;
+  depth.write = program.depth_write;
+  depth.discards = discards || stencil;
+  depth.traceless = !stencil;
+  depth.func = program.depth_func;
+  if (program.depth_bits == 16) depth.one = 65535.0f;
   return outputs;
+}
+
+uint32_t solid_pixel(const FragmentProgram& program, const PrimitivePlanes& planes) {
+  // As interpolate-inl.h and colour-inl.h round.
+  uint32_t pixel = 0;
+  for (int c = 0; c < 4; ++c) {
+    const float value = planes.colour[c].value;
+    const float clamped = std::min(value > 0 ? value : 0.0f, float{kColourOne});
+    const auto colour = static_cast<uint32_t>(std::nearbyint(clamped));
+    pixel |= ((colour + 1) * 1020 + 16384) >> 15 << (8 * c);
+  }
+  return truncate(program.format, pixel);
 }
 
 void shade(const FragmentProgram& program, const PrimitivePlanes& planes, const Coverage& coverage,

@@ -35,9 +35,7 @@ HWY_EXPORT(SetupLines);
 
 using SetupFunction = void (*)(const SetupState&, const LaneJob&);
 
-static void choose_target() {
-  select_simd_target();
-}
+static void choose_target() { select_simd_target(); }
 
 static SetupFunction resolve_triangles() {
   choose_target();

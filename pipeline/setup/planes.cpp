@@ -99,24 +99,48 @@ void make_sprite_planes(const PrimitiveRecord& p, float inverse_w, Plane* out) {
   out[3] = {inverse_w, 0, 0};
 }
 
-}  // namespace
-
-void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePlanes& out) {
-  const float* v[3] = {p.vertex[0], p.vertex[0], p.vertex[0]};
+// A primitive's corners, the last of which is provoking, and the gradients they make.
+struct Corners {
+  const float* v[3];
   Basis basis;
-  const float* provoking = v[0];
-  if (p.kind == PrimitiveKind::kTriangle) {
-    v[1] = p.vertex[1];
-    v[2] = p.vertex[2];
-    basis = triangle_basis(state, p);
-    provoking = v[2];
-  } else if (p.kind == PrimitiveKind::kLine) {
-    v[1] = p.vertex[1];
-    basis = line_basis(state, p);
-    provoking = v[1];
+
+  Corners(const SetupState& state, const PrimitiveRecord& p)
+      : v{p.vertex[0], p.vertex[0], p.vertex[0]} {
+    if (p.kind == PrimitiveKind::kTriangle) {
+      v[1] = p.vertex[1];
+      v[2] = p.vertex[2];
+      basis = triangle_basis(state, p);
+    } else if (p.kind == PrimitiveKind::kLine) {
+      v[1] = p.vertex[1];
+      basis = line_basis(state, p);
+    }
   }
+};
+
+void set_depth_plane(const SetupState& state, const PrimitiveRecord& p, const Corners& corners,
+                     PrimitivePlanes& out) {
+  const auto& v = corners.v;
   out.x_ref = window_x(v[0]);
   out.y_ref = window_y(state, v[0]);
+  if (!state.inputs.depth) return;
+  out.depth = corners.basis.plane(window_z(v[0]), window_z(v[1]), window_z(v[2]));
+  if (state.raster.offset_fill && p.kind == PrimitiveKind::kTriangle) {
+    out.depth.value += polygon_offset(state, out.depth);
+  }
+}
+
+}  // namespace
+
+void make_depth_plane(const SetupState& state, const PrimitiveRecord& p, PrimitivePlanes& out) {
+  set_depth_plane(state, p, Corners(state, p), out);
+}
+
+void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePlanes& out) {
+  const Corners corners(state, p);
+  const auto& v = corners.v;
+  const Basis& basis = corners.basis;
+  const float* provoking = p.kind == PrimitiveKind::kLine ? v[1] : v[2];
+  set_depth_plane(state, p, corners, out);
   if (state.coverage == FragmentCoverage::kSmooth) {
     out.region = smooth_region(state, p);
   } else if (state.coverage == FragmentCoverage::kMultisamplePoint) {
@@ -125,12 +149,6 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
   const float w[3] = {inv_w(v[0]), inv_w(v[1]), inv_w(v[2])};
   out.perspective = w[0] != w[1] || w[0] != w[2];
 
-  if (state.inputs.depth) {
-    out.depth = basis.plane(window_z(v[0]), window_z(v[1]), window_z(v[2]));
-    if (state.raster.offset_fill && p.kind == PrimitiveKind::kTriangle) {
-      out.depth.value += polygon_offset(state, out.depth);
-    }
-  }
   float scale[3] = {1, 1, 1};
   if (out.perspective) {
     out.inv_w = basis.plane(w[0], w[1], w[2]);

@@ -61,6 +61,10 @@ inline float supported_width(float width) { return width > 1 ? std::min(width, 2
 // The planes of the varyings in state.inputs, and of depth.
 void make_planes(const SetupState& state, const PrimitiveRecord& primitive, PrimitivePlanes& out);
 
+// That of depth alone, and where planes count from.
+void make_depth_plane(const SetupState& state, const PrimitiveRecord& primitive,
+                      PrimitivePlanes& out);
+
 // Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
 struct SnappedPoint {
   int32_t x = 0, y = 0;
