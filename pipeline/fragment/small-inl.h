@@ -297,7 +297,7 @@ class SmallBatch {
 
   const FragmentProgram& program_;
   Tile& tile_;
-  const DepthState depth_state_;
+  const NarrowDepthState depth_state_;
   bool needs_lod_ = false;
   alignas(8) uint8_t places_[kSmallSide * kSmallSide + 64];  // a vector may be read at the last
   uint64_t pending_[kTileHeight] = {};                       // the pixels in the batch, by row
