@@ -30,7 +30,7 @@ const Format kFormats[] = {
     {"rgb565_depth16",
      {.red = 5, .green = 6, .blue = 5, .alpha = 0, .depth = 16, .stencil = 0},
      9,
-     0.9},
+     0.85},
     {"rgb565", {.red = 5, .green = 6, .blue = 5, .alpha = 0}, 9, 0.85},
     {"rgba8888_depth16", {.depth = 16, .stencil = 0}, 2, 0},
     {"rgba8888_depth32", {.depth = 32, .stencil = 0}, 2, 0},
