@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "api/context.h"
 #include "api/debug.h"
@@ -63,6 +64,13 @@ struct Context {
   pipeline::RasterState raster_state;
   pipeline::FragmentState fragment_state;
   std::array<uint64_t, kTextureUnits> texture_version{};  // derived from, per unit
+  uint32_t textured = 0;  // bit u: unit u had a texture enabled, complete or not
+  // The arrays of draws as they were last bound, with what that came to.
+  pipeline::DrawCommand draw_command;
+  bool arrays_drawable = false;              // all that are needed have elements
+  bool client_arrays = false;                // some lie in client memory
+  std::vector<BufferObject*> array_buffers;  // those of enabled arrays, which hold them
+  uint64_t buffers_version = 0;              // of the share group, bound from
   FrameClock clock = std::make_shared<FrameCounter>();
   std::string renderer;
 

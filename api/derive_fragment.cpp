@@ -332,7 +332,23 @@ BlendEquation blend_equation(GLenum equation) {
   }
 }
 
-void derive_pixel(const Context& context, pipeline::FragmentState& f) {
+void derive_operations(const Context& context, pipeline::FragmentOperations& f) {
+  const FogState& fog = context.state.fog;
+  f.fog = !fog.enabled            ? pipeline::FogMode::kNone
+          : fog.mode == GL_LINEAR ? pipeline::FogMode::kLinear
+          : fog.mode == GL_EXP    ? pipeline::FogMode::kExp
+                                  : pipeline::FogMode::kExp2;
+  f.fog_density = fog.density;
+  f.fog_start = fog.start;
+  f.fog_end = fog.end;
+  f.fog_colour = fog.colour;
+  const MultisampleState& multisample = context.state.multisample;
+  f.alpha_to_coverage = multisample.alpha_to_coverage;
+  f.alpha_to_one = multisample.alpha_to_one;
+  f.sample_coverage = multisample.coverage;
+  f.sample_coverage_value = multisample.coverage_value;
+  f.sample_coverage_invert = multisample.coverage_invert;
+
   const PixelState& p = context.state.pixel;
   const FramebufferState& fb = context.state.framebuffer;
   const auto& planes = context.draw.depth_stencil;
@@ -376,49 +392,42 @@ const pipeline::ImageRef& no_image() {
   return image;
 }
 
-}  // namespace
-
-void derive_fragment(Context& context) {
+void derive_units(Context& context, std::array<pipeline::TextureUnit, kTextureUnits>& units) {
   const State& s = context.state;
-  pipeline::FragmentState& f = context.fragment_state;
+  context.textured = 0;
   for (size_t u = 0; u < kTextureUnits; ++u) {
     const TextureObject* texture = enabled_texture(s.texture.unit[u]);
-    pipeline::TextureUnit& unit = f.unit[u];
+    pipeline::TextureUnit& unit = units[u];
     unit.enabled = texture && is_complete(*texture);
     context.texture_version[u] = texture ? texture->version : 0;
+    if (texture) context.textured |= 1u << u;
     if (!unit.enabled && unit.image) unit = {};
   }
-  for (size_t u = 0; u < kTextureUnits; ++u) {
+  for (size_t u = 0; context.textured >> u != 0; ++u) {
     const TextureUnitState& from = s.texture.unit[u];
-    pipeline::TextureUnit& unit = f.unit[u];
+    pipeline::TextureUnit& unit = units[u];
     if (!unit.enabled) continue;
     const TextureObject& texture = *enabled_texture(from);
     unit.cube = texture.target == GL_TEXTURE_CUBE_MAP_OES;
     unit.srgb = is_srgb(texture.level[0].internal);
     const bool absent = texture.level[0].width == 0;  // of an external texture
     unit.image = absent ? no_image() : texture.image;
-    if (samples_its_target(context, texture)) {
+    if (context.framebuffer && samples_its_target(context, texture)) {
       unit.image = std::make_shared<pipeline::Image>(*unit.image);
     }
     unit.sampler = derive_sampler(texture, from.lod_bias);
     unit.combiner = derive_environment(from, absent ? GL_RGBA : texture.level[0].format, u);
-    if (!has_its_textures(unit.combiner, f.unit)) unit.combiner = previous_colour();
+    if (!has_its_textures(unit.combiner, units)) unit.combiner = previous_colour();
     unit.constant = from.env_colour;
   }
-  f.fog = !s.fog.enabled            ? pipeline::FogMode::kNone
-          : s.fog.mode == GL_LINEAR ? pipeline::FogMode::kLinear
-          : s.fog.mode == GL_EXP    ? pipeline::FogMode::kExp
-                                    : pipeline::FogMode::kExp2;
-  f.fog_density = s.fog.density;
-  f.fog_start = s.fog.start;
-  f.fog_end = s.fog.end;
-  f.fog_colour = s.fog.colour;
-  f.alpha_to_coverage = s.multisample.alpha_to_coverage;
-  f.alpha_to_one = s.multisample.alpha_to_one;
-  f.sample_coverage = s.multisample.coverage;
-  f.sample_coverage_value = s.multisample.coverage_value;
-  f.sample_coverage_invert = s.multisample.coverage_invert;
-  derive_pixel(context, f);
+}
+
+}  // namespace
+
+void derive_fragment(Context& context) {
+  pipeline::FragmentState& f = context.fragment_state;
+  if (context.dirty & kDirtyUnits) derive_units(context, f.unit);
+  if (context.dirty & kDirtyFragment) derive_operations(context, f);
   context.frame.set_fragment_state(f);
 }
 

@@ -21,14 +21,15 @@ namespace {
 // A bound texture may have been changed here or through another context.
 void notice_changed_textures(Context& c) {
   for (size_t u = 0; u < kTextureUnits; ++u) {
+    if (!(c.dirty & kDirtyUnits) && !(c.textured >> u & 1)) continue;
     TextureObject* texture = enabled_texture(c.state.texture.unit[u]);
     if (!texture) continue;
     refresh(*texture);
     if (c.texture_version[u] != texture->version) c.dirty |= kDirtyTexture;
-    if (samples_its_target(c, *texture)) {
+    if (c.framebuffer && samples_its_target(c, *texture)) {
       c.note_slow(Slow::kSamplesTarget);
       c.finish_frame();  // the draw samples what the level holds now
-      c.dirty |= kDirtyFragment;
+      c.dirty |= kDirtyUnits;
     }
   }
 }
@@ -37,16 +38,16 @@ void notice_changed_textures(Context& c) {
 
 void update_draw_state(Context& c) {
   update_targets(c);
-  notice_changed_textures(c);
-  if (c.dirty & kDirtyVertex) derive_vertex(c);
+  if (c.dirty & kDirtyUnits || c.textured != 0) notice_changed_textures(c);
+  if (c.dirty & (kDirtyMatrix | kDirtyVertex | kDirtyTexCoord)) derive_vertex(c);
   if (c.dirty & kDirtyRaster) derive_raster(c);
-  if (c.dirty & kDirtyFragment) derive_fragment(c);
-  c.dirty = 0;
+  if (c.dirty & (kDirtyFragment | kDirtyUnits)) derive_fragment(c);
+  c.dirty &= kDirtyArrays;
 }
 
 void note_texture_uses(Context& c) {
   note_drawn_image(c);
-  for (size_t u = 0; u < kTextureUnits; ++u) {
+  for (size_t u = 0; c.textured >> u != 0; ++u) {
     if (c.fragment_state.unit[u].enabled) {
       note_uses(c, *enabled_texture(c.state.texture.unit[u]));
     }
@@ -103,6 +104,7 @@ bool bind_array(const ArrayState& array, bool normalized, AttributeSource& sourc
   source.normalized = normalized && array.type != GL_FLOAT && array.type != GL_FIXED;
   source.stride = array.stride != 0 ? static_cast<uint32_t>(array.stride) : bytes;
   source.max_index = 0xffffffffu;
+  source.buffer = nullptr;
   if (!array.buffer) {
     source.pointer = static_cast<const std::byte*>(array.pointer);
     return source.pointer != nullptr;
@@ -110,7 +112,7 @@ bool bind_array(const ArrayState& array, bool normalized, AttributeSource& sourc
   const size_t offset = reinterpret_cast<uintptr_t>(array.pointer);
   const size_t size = array.buffer->data->size();
   if (offset > size || size - offset < bytes) return false;
-  source.buffer = array.buffer->data;
+  source.buffer = &array.buffer->data;
   source.pointer = array.buffer->data->data() + offset;
   source.max_index =
       static_cast<uint32_t>(std::min<size_t>((size - offset - bytes) / source.stride, 0xfffffffeu));
@@ -127,24 +129,21 @@ bool bind_palette_arrays(const ArraysState& a, pipeline::DrawCommand& command) {
   return bind(Attribute::kMatrixIndex, a.matrix_index) && bind(Attribute::kWeight, a.weight);
 }
 
+// False when an array that is needed has no element.
 bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   const ArraysState& a = c.state.arrays;
-  const CurrentState& current = c.state.current;
-  auto bind = [&command](size_t slot, const ArrayState& array, bool normalized,
-                         const Vec4& constant) {
-    AttributeSource& source = command.attributes[slot];
-    source.constant = constant;
-    return !array.enabled || bind_array(array, normalized, source);
+  for (AttributeSource& source : command.attributes) source.is_array = false;
+  auto bind = [&command](size_t slot, const ArrayState& array, bool normalized) {
+    return !array.enabled || bind_array(array, normalized, command.attributes[slot]);
   };
   if (!a.vertex.enabled) return false;
-  const float size = c.state.raster.point_size;
-  if (!bind(0, a.vertex, false, {0, 0, 0, 1}) || !bind(1, a.normal, true, current.normal) ||
-      !bind(2, a.colour, true, current.colour) || !bind(3, a.point_size, false, {size, 0, 0, 1})) {
+  if (!bind(0, a.vertex, false) || !bind(1, a.normal, true) || !bind(2, a.colour, true) ||
+      !bind(3, a.point_size, false)) {
     return false;
   }
   if (c.state.transform.matrix_palette && !bind_palette_arrays(a, command)) return false;
   for (size_t u = 0; u < kTextureUnits; ++u) {
-    if (!bind(4 + u, a.tex_coord[u], false, current.tex_coord[u])) {
+    if (!bind(4 + u, a.tex_coord[u], false)) {
       // An array nobody samples with does not matter.
       if (c.vertex_state.texture_units >> u & 1) return false;
       command.attributes[4 + u].is_array = false;
@@ -153,24 +152,48 @@ bool bind_arrays(const Context& c, pipeline::DrawCommand& command) {
   return true;
 }
 
+// Binds the arrays anew when one of them, or the store of a buffer object, is another.
+void update_arrays(Context& c) {
+  if (!(c.dirty & kDirtyArrays) && c.buffers_version == c.share->buffers_version) return;
+  c.array_buffers.clear();
+  visit_arrays(c.state.arrays, [&c](const ArrayState& array) {
+    if (array.enabled && array.buffer) c.array_buffers.push_back(array.buffer.get());
+  });
+  c.arrays_drawable = bind_arrays(c, c.draw_command);
+  const auto& attributes = c.draw_command.attributes;
+  c.client_arrays = std::any_of(attributes.begin(), attributes.end(), [](const AttributeSource& s) {
+    return s.is_array && s.buffer == nullptr;
+  });
+  c.buffers_version = c.share->buffers_version;
+  c.dirty &= ~static_cast<uint32_t>(kDirtyArrays);
+}
+
+// The current values (2.7), for attributes without an array.
+void take_current_values(const Context& c, pipeline::DrawCommand& command) {
+  const CurrentState& current = c.state.current;
+  command.attributes[0].constant = {0, 0, 0, 1};
+  command.attributes[1].constant = current.normal;
+  command.attributes[2].constant = current.colour;
+  command.attributes[3].constant = {c.state.raster.point_size, 0, 0, 1};
+  for (size_t u = 0; u < kTextureUnits; ++u) {
+    command.attributes[4 + u].constant = current.tex_coord[u];
+  }
+}
+
 // What the draw reads when the frame is executed.
 void note_uses(Context& c, const pipeline::DrawCommand& command) {
   note_texture_uses(c);
-  const ArraysState& a = c.state.arrays;
-  visit_arrays(a, [&c](const ArrayState& array) {
-    if (array.enabled && array.buffer) array.buffer->uses.note(c.clock);
-  });
-  if (command.index_buffer) a.element_array_buffer->uses.note(c.clock);
+  for (BufferObject* buffer : c.array_buffers) buffer->uses.note(c.clock);
+  if (command.index_buffer) c.state.arrays.element_array_buffer->uses.note(c.clock);
 }
 
 void record(Context& c, pipeline::DrawCommand& command, GLenum mode) {
   static_assert(GL_POINTS == 0 && GL_TRIANGLE_FAN == 6);
   command.primitive = static_cast<pipeline::Primitive>(mode);
-  if (!bind_arrays(c, command)) return;
-  const auto in_client_memory = [](const AttributeSource& s) { return s.is_array && !s.buffer; };
-  if (std::any_of(command.attributes.begin(), command.attributes.end(), in_client_memory)) {
-    c.note_slow(Slow::kClientArrays);
-  }
+  update_arrays(c);
+  if (!c.arrays_drawable) return;
+  take_current_values(c, command);
+  if (c.client_arrays) c.note_slow(Slow::kClientArrays);
   note_uses(c, command);
   if (!c.frame.draw(command)) c.set_error(kOutOfMemory);
 }
@@ -201,24 +224,29 @@ uint32_t clear_value(const pipeline::DepthStencilBuffer& buffer, double depth) {
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (count == 0) return;
   update_draw_state(c);
-  pipeline::DrawCommand command;
+  pipeline::DrawCommand& command = c.draw_command;
   command.first = static_cast<uint32_t>(first);
   command.count = static_cast<uint32_t>(count);
+  command.index_type = pipeline::IndexType::kNone;
+  command.indices = nullptr;
+  command.index_buffer = nullptr;
   record(c, command, mode);
 }
 
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   if (count == 0) return;
   update_draw_state(c);
-  pipeline::DrawCommand command;
+  pipeline::DrawCommand& command = c.draw_command;
+  command.first = 0;
   command.count = static_cast<uint32_t>(count);
   command.index_type = type == GL_UNSIGNED_BYTE    ? pipeline::IndexType::kUnsignedByte
                        : type == GL_UNSIGNED_SHORT ? pipeline::IndexType::kUnsignedShort
                                                    : pipeline::IndexType::kUnsignedInt;
   if (const BufferPtr& buffer = c.state.arrays.element_array_buffer) {
-    command.index_buffer = buffer->data;
+    command.index_buffer = &buffer->data;
     command.indices = buffer->data->data() + reinterpret_cast<uintptr_t>(indices);
   } else {
+    command.index_buffer = nullptr;
     command.indices = static_cast<const std::byte*>(indices);
     if (!indices) return;
   }
@@ -284,24 +312,24 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
                 x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   if (x0 >= x1) return;
   const int count = static_cast<int>(x1 - x0);
-  std::vector<uint32_t> rgba(format == GL_RGBA ? 0 : static_cast<size_t>(count));
+  const int64_t y0 = std::max<int64_t>(y, 0),
+                y1 = std::min<int64_t>(static_cast<int64_t>(y) + height, from.height);
   // Pixels outside of the surface are undefined: they are left alone (4.3.1).
-  for (int64_t row = 0; row < height; ++row) {
-    const int64_t from_y = y + row;
-    if (from_y < 0 || from_y >= from.height) continue;
-    std::byte* to = static_cast<std::byte*>(pixels) + row * row_bytes + (x0 - x) * bytes;
-    const auto read = [&](void* out) {
-      pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(from_y), count, out);
-    };
-    if (format == GL_RGBA) {
-      read(to);
-      continue;
-    }
-    read(rgba.data());
+  std::byte* to = static_cast<std::byte*>(pixels) + (y0 - y) * row_bytes + (x0 - x) * bytes;
+  if (y0 >= y1) return;
+  if (format == GL_RGBA) {
+    pipeline::read_rectangle(from, static_cast<int>(x0), static_cast<int>(y0), count,
+                             static_cast<int>(y1 - y0), to, static_cast<size_t>(row_bytes));
+    return;
+  }
+  std::vector<uint32_t> rgba(static_cast<size_t>(count));
+  for (int64_t row = y0; row < y1; ++row, to += row_bytes) {
+    pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, rgba.data());
+    std::byte* out = to;
     for (const uint32_t pixel : rgba) {
       const uint32_t packed = pack_bgra(pixel, type);
-      std::memcpy(to, &packed, static_cast<size_t>(bytes));
-      to += bytes;
+      std::memcpy(out, &packed, static_cast<size_t>(bytes));
+      out += bytes;
     }
   }
 }

@@ -45,6 +45,7 @@ void set_pointer(Context& c, GLenum which, GLint size, GLenum type, GLsizei stri
   a.stride = stride;
   a.pointer = pointer;
   a.buffer = c.state.arrays.array_buffer;
+  c.dirty |= kDirtyArrays;
 }
 
 BufferPtr& binding(Context& c, GLenum target) {
@@ -60,6 +61,7 @@ void client_active_texture(Context& c, GLenum texture) {
 
 void client_state(Context& c, GLenum array, bool value) {
   find_array(c.state.arrays, array)->enabled = value;
+  c.dirty |= kDirtyArrays;
 }
 
 void vertex_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -101,6 +103,7 @@ void gen_buffers(Context& c, GLsizei n, GLuint* names) {
 
 void delete_buffers(Context& c, GLsizei n, const GLuint* names) {
   ArraysState& a = c.state.arrays;
+  c.dirty |= kDirtyArrays;
   for (GLsizei i = 0; i < n; ++i) {
     const BufferPtr buffer = c.share->buffers.find(names[i]);
     c.share->buffers.erase(names[i]);
@@ -124,6 +127,7 @@ void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, G
   if (data && size != 0) std::memcpy(store->data(), data, static_cast<size_t>(size));
   BufferObject& buffer = *binding(c, target);
   buffer.data = std::move(store);
+  ++c.share->buffers_version;
   buffer.uses.clear();
   buffer.usage = usage;
   buffer.mapped = false;  // a new store is not mapped
@@ -135,6 +139,7 @@ void buffer_sub_data(Context& c, GLenum target, GLintptr offset, GLsizeiptr size
   if (size == 0 || !data) return;
   if (!may_write_in_place(c, buffer.uses, buffer.data->size())) {
     buffer.data = std::make_shared<pipeline::BufferData>(*buffer.data);
+    ++c.share->buffers_version;
     buffer.uses.clear();
   }
   std::memcpy(buffer.data->data() + offset, data, static_cast<size_t>(size));

@@ -32,6 +32,7 @@ void* map_buffer_range(Context& c, GLenum target, GLintptr offset, GLsizeiptr le
   BufferObject& buffer = bound(c, target);
   if ((access & GL_MAP_WRITE_BIT_EXT) && !may_write_in_place(c, buffer.uses, buffer.data->size())) {
     buffer.data = std::make_shared<pipeline::BufferData>(*buffer.data);
+    ++c.share->buffers_version;
     buffer.uses.clear();
   }
   buffer.mapped = true;

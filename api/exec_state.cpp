@@ -19,9 +19,9 @@ Capability capability(Context& c, GLenum cap) {
     case GL_RESCALE_NORMAL:
       return {&s.transform.rescale_normal, kDirtyVertex};
     case GL_MATRIX_PALETTE_OES:
-      return {&s.transform.matrix_palette, kDirtyVertex};
+      return {&s.transform.matrix_palette, kDirtyMatrix | kDirtyVertex | kDirtyArrays};
     case GL_FOG:
-      return {&s.fog.enabled, kDirtyTexture};
+      return {&s.fog.enabled, kDirtyVertex | kDirtyFragment};
     case GL_LIGHTING:
       return {&s.lighting.enabled, kDirtyVertex};
     case GL_COLOR_MATERIAL:
@@ -51,7 +51,7 @@ Capability capability(Context& c, GLenum cap) {
     case GL_TEXTURE_CUBE_MAP_OES:
       return {&c.active_unit().cube_enabled, kDirtyTexture};
     case GL_TEXTURE_GEN_STR_OES:
-      return {&c.active_unit().gen_str, kDirtyVertex};
+      return {&c.active_unit().gen_str, kDirtyTexCoord};
     case GL_SCISSOR_TEST:
       return {&s.pixel.scissor_test, kDirtyRaster};
     case GL_ALPHA_TEST:

@@ -78,7 +78,7 @@ void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& p) {
 
 void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
   TextureUnitState& unit = c.active_unit();
-  c.dirty |= kDirtyFragment | kDirtyRaster;
+  c.dirty |= kDirtyUnits | kDirtyRaster;
   if (target == GL_POINT_SPRITE_OES) {
     unit.coord_replace = p.boolean();
     return;
@@ -133,7 +133,7 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
 // OES_texture_cube_map: the only coordinates that are generated are s, t and r together.
 void tex_gen(Context& c, GLenum, GLenum, const Params& p) {
   c.active_unit().gen_mode = p.enumerant();
-  c.dirty |= kDirtyVertex;
+  c.dirty |= kDirtyTexCoord;
 }
 
 }  // namespace clearpipe::api::exec

@@ -40,7 +40,7 @@ Mat4 read_matrix(const Params& p) {
 Vec4 read_vec4(const Params& p) { return {p.number(0), p.number(1), p.number(2), p.number(3)}; }
 
 Mat4& changed_top(Context& c) {
-  c.dirty |= kDirtyVertex;
+  c.dirty |= c.state.transform.matrix_mode == GL_TEXTURE ? kDirtyTexCoord : kDirtyMatrix;
   return current_stack(c).top();
 }
 
@@ -55,7 +55,7 @@ void current_palette_matrix(Context& c, GLuint index) {
 void load_palette_from_model_view_matrix(Context& c) {
   TransformState& t = c.state.transform;
   t.palette[t.current_palette_matrix].top() = t.modelview.top();
-  c.dirty |= kDirtyVertex;
+  c.dirty |= kDirtyMatrix;
 }
 
 void load_identity(Context& c) { changed_top(c) = {}; }
@@ -73,8 +73,8 @@ void push_matrix(Context& c) {
 }
 
 void pop_matrix(Context& c) {
+  changed_top(c);
   current_stack(c).stack.pop_back();
-  c.dirty |= kDirtyVertex;
 }
 
 void rotate_matrix(Context& c, float angle, float x, float y, float z) {

@@ -22,6 +22,7 @@ void bind_vertex_array(Context& c, GLuint name) {
   VertexArrayState& current = a;
   kept(c, a.vertex_array) = std::exchange(current, std::move(next));
   a.vertex_array = name;
+  c.dirty |= kDirtyArrays;
 }
 
 void gen_vertex_arrays(Context& c, GLsizei n, GLuint* names) {

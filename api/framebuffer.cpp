@@ -233,7 +233,11 @@ void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Targe
 }
 
 void update_targets(Context& c) {
-  if (!c.framebuffer) begin_frame(&c);
+  if (!c.framebuffer) {
+    begin_frame(&c);
+    if (!same(c.surface_draw, c.draw)) use_targets(c, c.surface_draw, c.surface_read);
+    return;
+  }
   const pipeline::Target draw = draw_target(c);
   if (!same(draw, c.draw)) use_targets(c, draw, read_target(c));
 }

@@ -168,7 +168,8 @@ Vec4 transform_plane(const Vec4& p, const Mat4& inverse) {
 }
 
 Mat4 invert(const Mat4& matrix) {
-  // Gauss-Jordan with row pivoting, in double precision.
+  // Gauss-Jordan with row pivoting, in double precision. Columns before the pivot's are not looked
+  // at again.
   double a[4][8] = {};
   for (size_t row = 0; row < 4; ++row) {
     for (size_t col = 0; col < 4; ++col) a[row][col] = static_cast<double>(matrix.m[4 * col + row]);
@@ -180,13 +181,15 @@ Mat4 invert(const Mat4& matrix) {
       if (std::fabs(a[row][col]) > std::fabs(a[pivot][col])) pivot = row;
     }
     if (!(std::fabs(a[pivot][col]) > 0)) return {};
-    for (size_t k = 0; k < 8; ++k) std::swap(a[col][k], a[pivot][k]);
+    if (pivot != col) {
+      for (size_t k = col; k < 8; ++k) std::swap(a[col][k], a[pivot][k]);
+    }
     const double factor = 1.0 / a[col][col];
-    for (double& value : a[col]) value *= factor;
+    for (size_t k = col; k < 8; ++k) a[col][k] *= factor;
     for (size_t row = 0; row < 4; ++row) {
       if (row == col) continue;
       const double times = a[row][col];
-      for (size_t k = 0; k < 8; ++k) a[row][k] -= times * a[col][k];
+      for (size_t k = col; k < 8; ++k) a[row][k] -= times * a[col][k];
     }
   }
   Mat4 inverse;

@@ -170,6 +170,7 @@ class NameTable {
 
 struct ShareGroup {
   std::mutex mutex;
+  uint64_t buffers_version = 1;  // grows when a buffer object gets another data store
   NameTable<BufferObject> buffers;
   NameTable<TextureObject> textures;
   NameTable<RenderbufferObject> renderbuffers;

@@ -231,11 +231,15 @@ struct State {
 
 // What must be derived again before the next draw.
 enum Dirty : uint32_t {
-  kDirtyVertex = 1,
-  kDirtyRaster = 2,
-  kDirtyFragment = 4,
-  kDirtyTexture = kDirtyVertex | kDirtyFragment,
-  kDirtyAll = 7
+  kDirtyMatrix = 1,    // modelview, projection, palette
+  kDirtyVertex = 2,    // lighting, clip planes, points
+  kDirtyTexCoord = 4,  // texture matrices, generated coordinates
+  kDirtyRaster = 8,
+  kDirtyFragment = 16,                           // fog and the per-fragment operations
+  kDirtyUnits = 32,                              // textures, samplers, texture environments
+  kDirtyArrays = 64,                             // vertex arrays
+  kDirtyTexture = kDirtyTexCoord | kDirtyUnits,  // which textures are enabled
+  kDirtyAll = 127
 };
 
 }  // namespace clearpipe::api

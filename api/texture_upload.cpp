@@ -1,6 +1,8 @@
 // Texture images: what an application uploads or copies becomes RGBA8 texels (3.7.1, 3.7.2).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 #include "api/exec.h"
 #include "api/framebuffer.h"
@@ -12,6 +14,51 @@ namespace clearpipe::api::exec {
 
 namespace {
 
+template <GLenum format, GLenum type>
+void unpack_as(const uint8_t* from, int count, uint32_t* to) {
+  constexpr size_t kBytes = type == GL_UNSIGNED_BYTE ? format == GL_RGBA || format == GL_BGRA_EXT
+                                                           ? 4
+                                                       : format == GL_RGB             ? 3
+                                                       : format == GL_LUMINANCE_ALPHA ? 2
+                                                                                      : 1
+                                                     : 2;
+  for (int i = 0; i < count; ++i, from += kBytes) to[i] = unpack_pixel(from, format, type);
+}
+
+// A row of pixels of an upload format: the pair is decided on once, not for each pixel.
+void unpack_row(const uint8_t* from, int count, GLenum format, GLenum type, uint32_t* to) {
+  switch (type) {
+    case GL_UNSIGNED_SHORT_5_6_5:
+      return unpack_as<GL_RGB, GL_UNSIGNED_SHORT_5_6_5>(from, count, to);
+    case GL_UNSIGNED_SHORT_4_4_4_4:
+      return unpack_as<GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4>(from, count, to);
+    case GL_UNSIGNED_SHORT_5_5_5_1:
+      return unpack_as<GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1>(from, count, to);
+    default:
+      break;
+  }
+  switch (format) {
+    case GL_RGBA:
+    case GL_SRGB_ALPHA_EXT:
+      if constexpr (std::endian::native == std::endian::little) {
+        std::memcpy(to, from, static_cast<size_t>(count) * sizeof(uint32_t));
+        return;
+      }
+      return unpack_as<GL_RGBA, GL_UNSIGNED_BYTE>(from, count, to);
+    case GL_BGRA_EXT:
+      return unpack_as<GL_BGRA_EXT, GL_UNSIGNED_BYTE>(from, count, to);
+    case GL_RGB:
+    case GL_SRGB_EXT:
+      return unpack_as<GL_RGB, GL_UNSIGNED_BYTE>(from, count, to);
+    case GL_LUMINANCE_ALPHA:
+      return unpack_as<GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE>(from, count, to);
+    case GL_LUMINANCE:
+      return unpack_as<GL_LUMINANCE, GL_UNSIGNED_BYTE>(from, count, to);
+    default:
+      return unpack_as<GL_ALPHA, GL_UNSIGNED_BYTE>(from, count, to);
+  }
+}
+
 void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenum format,
             GLenum type, const void* pixels, int alignment) {
   const size_t bytes = pixel_bytes(format, type), align = static_cast<size_t>(alignment);
@@ -19,7 +66,7 @@ void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenu
   for (int j = 0; j < height; ++j) {
     const uint8_t* from = static_cast<const uint8_t*>(pixels) + row * static_cast<size_t>(j);
     uint32_t* texel = to.texels.data() + static_cast<ptrdiff_t>(y + j) * to.width + x;
-    for (int i = 0; i < width; ++i, from += bytes) *texel++ = unpack_pixel(from, format, type);
+    unpack_row(from, width, format, type, texel);
   }
 }
 
@@ -46,8 +93,12 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
 void tex_image(Context& c, GLenum target, GLint level, GLint internal, GLsizei width,
                GLsizei height, GLint, GLenum format, GLenum type, const void* pixels) {
   const GLenum held = static_cast<GLenum>(internal);
-  pipeline::ImageLevel to = make_level(width, height, base_format(held));
-  if (pixels) {
+  pipeline::ImageLevel to;
+  if (!pixels) {
+    to = make_level(width, height, base_format(held));
+  } else {
+    const size_t texels = static_cast<size_t>(width) * static_cast<size_t>(height);
+    to = {width, height, pipeline::Texels::for_overwrite(texels)};
     unpack(to, 0, 0, width, height, format, type, pixels, c.state.misc.unpack_alignment);
   }
   replace_level(c, *bound_texture(c, target), image_index(target, level), std::move(to), held,

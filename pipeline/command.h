@@ -1,7 +1,7 @@
 // A draw or a clear as api/ hands it to the pipeline.
 //
-// Client memory named here is only borrowed for the duration of Frame::draw; buffer objects are
-// held by reference until the frame is done.
+// Client memory named here is only borrowed for the duration of Frame::draw; a frame that reads a
+// buffer object later holds its data store until it is done.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,7 +17,7 @@ namespace clearpipe::pipeline {
 
 // The data store of a buffer object. Replaced, never changed, while a frame holds it.
 using BufferData = std::vector<std::byte>;
-using BufferRef = std::shared_ptr<const BufferData>;
+using BufferRef = std::shared_ptr<BufferData>;
 
 enum class Primitive : uint8_t {
   kPoints,
@@ -58,7 +58,7 @@ struct AttributeSource {
   bool normalized = false;             // integers map to [0,1] or [-1,1] (table 2.7)
   uint32_t stride = 0;                 // bytes between elements, never 0 for arrays
   const std::byte* pointer = nullptr;  // first element: client memory or inside `buffer`
-  BufferRef buffer;                    // set when `pointer` lies in a buffer object
+  const BufferRef* buffer = nullptr;   // set when `pointer` lies in a buffer object
   uint32_t max_index = 0xffffffffu;  // largest element inside `buffer`; larger indices are clamped
   Vec4 constant;
 };
@@ -72,7 +72,7 @@ struct DrawCommand {
   uint32_t count = 0;
   IndexType index_type = IndexType::kNone;
   const std::byte* indices = nullptr;  // client memory or inside `index_buffer`
-  BufferRef index_buffer;
+  const BufferRef* index_buffer = nullptr;
 };
 
 // glClear (4.2.3): planes are cleared inside `rect`, respecting the masks.

@@ -23,6 +23,10 @@ class Texels {
  public:
   Texels() = default;
   explicit Texels(size_t size) : memory_(std::make_shared<uint32_t[]>(size)), size_(size) {}
+  // With contents that are yet to be written.
+  static Texels for_overwrite(size_t size) {
+    return {std::make_shared_for_overwrite<uint32_t[]>(size), size};
+  }
   Texels(std::initializer_list<uint32_t> texels) : Texels(texels.size()) {
     std::copy(texels.begin(), texels.end(), begin());
   }

@@ -21,6 +21,7 @@ inline constexpr int kVertexUnits = 4;
 
 struct Vec4 {
   float x = 0, y = 0, z = 0, w = 0;
+  bool operator==(const Vec4&) const = default;
 };
 
 // Column-major, as in the specification: m[4 * column + row].
@@ -69,13 +70,11 @@ struct MatrixPalette {
   std::array<float, 9 * kPaletteMatrices> normal_matrix{};  // transposed inverses; with normals
 };
 
+// What every vertex needs comes first, and what only some states need behind it: copy_vertex_state
+// leaves that out.
 struct VertexState {
   Mat4 model_view_projection;  // projection * modelview, composed in float
   Mat4 model_view;
-  // Null: vertices are transformed by the matrices above, else by the palette and `projection`.
-  // The palette is only borrowed until the state is set anew.
-  const MatrixPalette* palette = nullptr;
-  Mat4 projection;
   std::array<float, 9> normal_matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major inverse transpose
   float rescale = 1;                                              // factor of RESCALE_NORMAL
   bool rescale_normal = false;
@@ -83,22 +82,30 @@ struct VertexState {
   bool lighting = false;
   bool two_sided = false;
   bool colour_material = false;  // ambient and diffuse follow the vertex colour
-  Vec4 scene_ambient;            // light model ambient
-  Material material;
-  std::array<Light, kMaxLights> lights;
-  bool fog = false;            // the fog coordinate |eye z| is needed per fragment (3.8)
-  uint8_t texture_units = 0;   // bit u: unit u samples a texture, so its coordinates are needed
-  uint8_t texture_matrix = 0;  // bit u: texture matrix of unit u is not the identity
-  std::array<Mat4, kMaxTextureUnits> texture_matrices;
+  bool fog = false;              // the fog coordinate |eye z| is needed per fragment (3.8)
+  uint8_t texture_units = 0;     // bit u: unit u samples a texture, so its coordinates are needed
+  uint8_t texture_matrix = 0;    // bit u: texture matrix of unit u is not the identity
   // Bit u: s, t and r of unit u are generated, as the reflection vector or the normal.
   uint8_t reflection_map = 0, normal_map = 0;
-  uint8_t clip_planes = 0;                      // bit i: user clip plane i is enabled (2.11)
-  std::array<Vec4, kMaxClipPlanes> clip_plane;  // eye space
+  uint8_t clip_planes = 0;  // bit i: user clip plane i is enabled (2.11)
+  bool point_attenuated = false;
   // Points (3.3): derived size = clamp(size * attenuation), fade below the threshold.
   float point_size = 1, point_size_min = 0, point_size_max = 255, point_fade_threshold = 1;
   float point_attenuation[3] = {1, 0, 0};
-  bool point_attenuated = false;
+  // Null: vertices are transformed by the matrices above, else by the palette and `projection`.
+  // The palette is only borrowed until the state is set anew.
+  const MatrixPalette* palette = nullptr;
+
+  Mat4 projection;     // with a palette
+  Vec4 scene_ambient;  // light model ambient; with lighting, like what follows
+  Material material;
+  std::array<Light, kMaxLights> lights;
+  std::array<Mat4, kMaxTextureUnits> texture_matrices;  // those of texture_matrix
+  std::array<Vec4, kMaxClipPlanes> clip_plane;          // eye space; those of clip_planes
 };
+
+// Copies what the state uses; the rest of `to` is left as it is.
+void copy_vertex_state(const VertexState& from, VertexState& to);
 
 // ---- Raster state -------------------------------------------------------------------------------
 
@@ -108,6 +115,8 @@ struct Viewport {
   // Window = centre + scale * normalised device coordinate (2.10.1).
   float scale_x = 0, scale_y = 0, scale_z = 0.5f;
   float centre_x = 0, centre_y = 0, centre_z = 0.5f;
+
+  bool operator==(const Viewport&) const = default;
 };
 
 struct Rect {
@@ -145,6 +154,8 @@ struct Sampler {
   float max_anisotropy = 1;
   int base_level = 0;
   int max_level = 0;  // last level that exists
+
+  bool operator==(const Sampler&) const = default;
 };
 
 // The texture environment (3.7.12) as the combiner it always is: the classic environments are
@@ -178,6 +189,8 @@ enum class CombineOperand : uint8_t { kColour, kOneMinusColour, kAlpha, kOneMinu
 struct CombineArgument {
   CombineSource source = CombineSource::kPrevious;
   CombineOperand operand = CombineOperand::kColour;
+
+  bool operator==(const CombineArgument&) const = default;
 };
 
 struct Combiner {
@@ -186,6 +199,8 @@ struct Combiner {
   std::array<CombineArgument, 3> rgb_argument;
   std::array<CombineArgument, 3> alpha_argument;     // operand is kAlpha or kOneMinusAlpha
   uint8_t rgb_scale_log2 = 0, alpha_scale_log2 = 0;  // scale 1, 2 or 4
+
+  bool operator==(const Combiner&) const = default;
 };
 
 struct TextureUnit {
@@ -196,6 +211,8 @@ struct TextureUnit {
   Sampler sampler;
   Combiner combiner;
   Vec4 constant;  // TEXTURE_ENV_COLOR, clamped
+
+  bool operator==(const TextureUnit&) const = default;
 };
 
 enum class StencilOp : uint8_t {
@@ -214,6 +231,8 @@ struct StencilState {
   CompareFunc func = CompareFunc::kAlways;
   uint8_t reference = 0, value_mask = 0xff, write_mask = 0xff;
   StencilOp fail = StencilOp::kKeep, depth_fail = StencilOp::kKeep, pass = StencilOp::kKeep;
+
+  bool operator==(const StencilState&) const = default;
 };
 
 enum class BlendFactor : uint8_t {
@@ -236,6 +255,8 @@ struct BlendState {
   BlendFactor src_rgb = BlendFactor::kOne, dst_rgb = BlendFactor::kZero;
   BlendFactor src_alpha = BlendFactor::kOne, dst_alpha = BlendFactor::kZero;
   BlendEquation rgb = BlendEquation::kAdd, alpha = BlendEquation::kAdd;
+
+  bool operator==(const BlendState&) const = default;
 };
 
 // The sixteen logical operations in the order of their truth tables (4.1.9); bit 0 of the value is
@@ -261,8 +282,8 @@ enum class LogicOp : uint8_t {
 
 enum class FogMode : uint8_t { kNone, kLinear, kExp, kExp2 };
 
-struct FragmentState {
-  std::array<TextureUnit, kMaxTextureUnits> unit;
+// What fragments go through after texturing.
+struct FragmentOperations {
   FogMode fog = FogMode::kNone;
   float fog_density = 1, fog_start = 0, fog_end = 1;
   Vec4 fog_colour;
@@ -281,6 +302,18 @@ struct FragmentState {
   bool alpha_to_coverage = false, alpha_to_one = false;
   bool sample_coverage = false, sample_coverage_invert = false;
   float sample_coverage_value = 1;
+
+  bool operator==(const FragmentOperations&) const = default;
 };
+
+struct FragmentState : FragmentOperations {
+  std::array<TextureUnit, kMaxTextureUnits> unit;
+
+  // What units that are not enabled hold does not matter.
+  bool operator==(const FragmentState& other) const;
+};
+
+// Copies what the state uses; a unit of `to` that is not enabled then holds no image.
+void copy_fragment_state(const FragmentState& from, FragmentState& to);
 
 }  // namespace clearpipe::pipeline

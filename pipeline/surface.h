@@ -71,6 +71,11 @@ void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out)
 // The opposite, into a buffer without samples.
 void write_pixels(ColourBuffer& buffer, int x, int y, int count, const uint32_t* from);
 
+// Copies `rows` rows of `count` pixels from (x, y) on, all inside the buffer, each to a place
+// `row_bytes` further in `out`; large ones on all cores.
+void read_rectangle(const ColourBuffer& buffer, int x, int y, int count, int rows, void* out,
+                    size_t row_bytes);
+
 // Lays out the buffer in rows, as memory that is shared with a texture must be; does nothing when
 // it is. False, and no change, when memory does not suffice.
 bool lay_out_in_rows(ColourBuffer& buffer);

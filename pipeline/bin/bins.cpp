@@ -3,6 +3,7 @@
 #include "pipeline/bin/bins.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "pipeline/raster/coverage.h"
 #include "pipeline/raster/tile.h"
@@ -13,11 +14,10 @@ TileGrid make_tile_grid(int width, int height) {
   return {(width + kTileWidth - 1) / kTileWidth, (height + kTileHeight - 1) / kTileHeight};
 }
 
-void Bins::reset(const TileGrid& grid, TileNumbers& numbers) {
+void Bins::reset(const TileGrid& grid, BinScratch& scratch) {
   grid_ = grid;
-  numbers_ = &numbers;
-  numbers.reset(grid);
-  entries_.clear();
+  scratch_ = &scratch;
+  scratch.reset(grid);
   lists_.clear();
 }
 
@@ -38,12 +38,22 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
   }
 }
 
-// Where its pixels are is known exactly, and none is outside of the surface.
+// Where its pixels are is known exactly, and none is outside of the surface. The first are in the
+// tile of its place only if their row and column say so.
 void Bins::add_across(const SmallPrimitive& primitive, uint32_t index) {
-  constexpr int kReach = kSmallSide - 1;
+  // Each row's pixels in the lowest one.
+  uint64_t columns = primitive.mask | primitive.mask >> 32;
+  columns |= columns >> 16;
+  columns = (columns | columns >> 8) & 0xff;
+  const int right = static_cast<int>(std::bit_width(columns)) - 1;
+  const int up = (static_cast<int>(std::bit_width(primitive.mask)) - 1) / kSmallSide;
   const int first_column = primitive.x / kTileWidth, first_row = primitive.y / kTileHeight;
-  const int last_column = (primitive.x + kReach) / kTileWidth;
-  const int last_row = (primitive.y + kReach) / kTileHeight;
+  const int last_column = (primitive.x + right) / kTileWidth;
+  const int last_row = (primitive.y + up) / kTileHeight;
+  if (first_column == last_column && first_row == last_row) {
+    note(first_column, first_row, index);
+    return;
+  }
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
       const SmallCoverage coverage = small_coverage(primitive.mask, primitive.x, primitive.y,
@@ -59,12 +69,13 @@ void Bins::close() {
     list.first = first;
     first += list.count;
   }
-  sorted_.resize(entries_.size());
+  sorted_.resize(scratch_->entries_.size());
   // Each entry goes to its list's next place; afterwards every `first` has moved to the end.
-  for (const Entry& entry : entries_) {
+  for (const BinScratch::Entry& entry : scratch_->entries_) {
     sorted_[lists_[entry.list].first++] = entry.primitive;
   }
   for (List& list : lists_) list.first -= list.count;
+  scratch_ = nullptr;
 }
 
 }  // namespace clearpipe::pipeline

@@ -23,33 +23,34 @@ struct TileGrid {
 
 TileGrid make_tile_grid(int width, int height);
 
-// The number of a packet's list by tile, while the packet is built; used for one packet after
-// another.
-class TileNumbers {
+// What a worker needs to sort a packet's primitives by tile; used for one packet after another.
+class BinScratch {
  public:
   // Forgets the lists of the last packet.
   void reset(const TileGrid& grid) {
     const size_t count = static_cast<size_t>(grid.count());
-    if (entries_.size() < count || ++generation_ == 0) {
-      entries_.assign(count, Entry());
+    if (tiles_.size() < count || ++generation_ == 0) {
+      tiles_.assign(count, Tile());
       generation_ = 1;
     }
-  }
-
-  // The number noted for a tile, which is `fresh` from now on if there is none.
-  uint32_t find(uint32_t tile, uint32_t fresh) {
-    Entry& entry = entries_[tile];
-    if (entry.generation != generation_) entry = {generation_, fresh};
-    return entry.number;
+    entries_.clear();
   }
 
  private:
+  friend class Bins;
+
+  struct Tile {
+    uint32_t generation = 0;  // the packet's, or the tile has no list yet
+    uint32_t list = 0;
+  };
   struct Entry {
-    uint32_t generation = 0, number = 0;
+    uint32_t list;
+    uint32_t primitive;
   };
 
-  std::vector<Entry> entries_;
   uint32_t generation_ = 0;
+  std::vector<Tile> tiles_;
+  std::vector<Entry> entries_;  // in submission order
 };
 
 class Bins {
@@ -59,16 +60,16 @@ class Bins {
     uint32_t tile, first, count;
   };
 
-  // Starts without lists. `numbers` is used until close().
-  void reset(const TileGrid& grid, TileNumbers& numbers);
+  // Starts without lists. `scratch` is used until close().
+  void reset(const TileGrid& grid, BinScratch& scratch);
 
   // Notes `index`, the number of `primitive` in its packet, in every tile it may touch.
   void add(const PrimitiveRecord& primitive, uint32_t index);
   void add(const SmallPrimitive& primitive, uint32_t index) {
     constexpr int kReach = kSmallSide - 1;
     const int column = primitive.x / kTileWidth, row = primitive.y / kTileHeight;
-    if ((primitive.x + kReach) / kTileWidth == column &&
-        (primitive.y + kReach) / kTileHeight == row) {
+    if (primitive.x % kTileWidth + kReach < kTileWidth &&
+        primitive.y % kTileHeight + kReach < kTileHeight) {
       note(column, row, index);
     } else {
       add_across(primitive, index);
@@ -85,24 +86,21 @@ class Bins {
   }
 
  private:
-  struct Entry {
-    uint32_t list;
-    uint32_t primitive;
-  };
-
   void add_across(const SmallPrimitive& primitive, uint32_t index);
 
   void note(int column, int row, uint32_t index) {
-    const uint32_t tile = static_cast<uint32_t>(row * grid_.columns + column);
-    const uint32_t list = numbers_->find(tile, static_cast<uint32_t>(lists_.size()));
-    if (list == lists_.size()) lists_.push_back({tile, 0, 0});
-    entries_.push_back({list, index});
-    ++lists_[list].count;
+    const uint32_t number = static_cast<uint32_t>(row * grid_.columns + column);
+    BinScratch::Tile& tile = scratch_->tiles_[number];
+    if (tile.generation != scratch_->generation_) {
+      tile = {scratch_->generation_, static_cast<uint32_t>(lists_.size())};
+      lists_.push_back({number, 0, 0});
+    }
+    scratch_->entries_.push_back({tile.list, index});
+    ++lists_[tile.list].count;
   }
 
   TileGrid grid_;
-  TileNumbers* numbers_ = nullptr;
-  std::vector<Entry> entries_;  // in submission order
+  BinScratch* scratch_ = nullptr;
   std::vector<List> lists_;
   std::vector<uint32_t> sorted_;
 };

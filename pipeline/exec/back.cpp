@@ -2,9 +2,11 @@
 // loading the planes that are needed and merging those that changed.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <bit>
 
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/small.h"
+#include "pipeline/fragment/usage.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
 
@@ -68,9 +70,10 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   const int samples = planes.samples();
   Coverage coverage[kSampleCount];
   if (!cover(primitive, planes, coverage)) return;
-  const DrawRecord& draw = draws[primitive.draw];
+  const DrawState& draw = *draws[primitive.draw].state;
   planes.prepare(draw.outputs,
                  draw.outputs.replaces && std::all_of(coverage, coverage + samples, is_whole));
+  if (counts_usage()) count_coverage(*draw.program, coverage, samples);
   PrimitivePlanes attributes;
   make_planes(draw.setup, primitive, attributes);
   if (samples > 1) {
@@ -80,20 +83,36 @@ void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord
   }
 }
 
-// The primitives of a packet that touch the tile; neighbours that are small and of one draw
-// together.
+void count_small(const FragmentProgram& program, const Packet& packet,
+                 std::span<const uint32_t> entries, const Tile& tile) {
+  int pixels = 0;
+  for (const uint32_t entry : entries) {
+    const SmallPrimitive& small = packet.small[entry & ~kSmallEntry];
+    pixels += std::popcount(small_coverage(small.mask, small.x, small.y, tile.x, tile.y).mask);
+  }
+  count_pixels(program, UsageForm::kSmall, pixels);
+}
+
+// The primitives of a packet that touch the tile.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
-                  std::span<const uint32_t> entries, TilePlanes& planes, SampleTiles& tiles) {
+                  std::span<const uint32_t> entries, TilePlanes& planes, BackWorker& worker) {
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
     if ((index & kSmallEntry) == 0) {
-      shade_primitive(draws, packet.primitives[index], planes, tiles);
+      worker.small.flush();
+      shade_primitive(draws, packet.primitives[index], planes, worker.tiles);
       ++at;
-      continue;
+    } else {
+      const SmallPrimitive& small = packet.small[index & ~kSmallEntry];
+      const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
+      planes.prepare(draw.outputs, false);
+      const auto rest = entries.subspan(at);
+      const size_t taken = worker.small.add(draws, packet, rest, worker.tiles.tiles[0]);
+      if (counts_usage()) {
+        count_small(*draw.program, packet, rest.first(taken), worker.tiles.tiles[0]);
+      }
+      at += taken;
     }
-    const DrawRecord& draw = draws[packet.small[index & ~kSmallEntry].draw];
-    planes.prepare(draw.outputs, false);
-    at += shade_small(draw, packet.small.data(), entries.subspan(at), tiles.tiles[0]);
   }
 }
 
@@ -112,13 +131,13 @@ void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t 
 
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
-              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles) {
-  for (Tile& tile : tiles.tiles) {
+              const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker) {
+  for (Tile& tile : worker.tiles.tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;
     tile.y = tile_index / grid.columns * kTileHeight;
     tile.mirror_height = target.mirrored ? target.height : 0;
   }
-  TilePlanes planes(target, tiles, tile_index);
+  TilePlanes planes(target, worker.tiles, tile_index);
   // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
   // what came before it.
   const std::span<const TileLists::Reference> lists = work.lists.tile(tile_index);
@@ -136,14 +155,16 @@ void run_back(const std::vector<DrawRecord>& draws,
   while (next < lists.size() || clear < work.clears.size()) {
     if (clear < work.clears.size() &&
         (next == lists.size() || work.clears[clear] < lists[next].packet)) {
+      worker.small.flush();
       clear_planes(packets[work.clears[clear++]]->clear, target, planes);
       continue;
     }
     const Packet& packet = *packets[lists[next].packet];
     const Bins::List& list = packet.bins.lists()[lists[next].list];
-    shade_packet(draws, packet, packet.bins.primitives(list), planes, tiles);
+    shade_packet(draws, packet, packet.bins.primitives(list), planes, worker);
     ++next;
   }
+  worker.small.flush();
   planes.store();
 }
 

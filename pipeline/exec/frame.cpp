@@ -8,8 +8,10 @@
 #include <new>
 #include <vector>
 
+#include "pipeline/exec/draw_state.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
+#include "pipeline/exec/shared_vertices.h"
 #include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
@@ -20,34 +22,25 @@ namespace {
 constexpr uint32_t kMaxFramePrimitives = 128 * 1024;
 constexpr size_t kMaxFrameDraws = 16 * 1024;
 
-Rect intersect(const Rect& a, const Rect& b) {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
 }  // namespace
 
 struct Frame::Impl {
-  Target target;
   TileGrid grid;
-
-  // Current state; the copies in the arena that draws point to are made when first drawn with.
-  VertexState vertex_state;
-  RasterState raster_state;
-  FragmentState fragment_state;
-  const VertexState* recorded_vertex = nullptr;
-  std::shared_ptr<ProgramHolder> program;  // of fragment_state, null when it must be made
-
+  CurrentState state;
+  ArrayRecorder arrays;
   Arena arena;
   std::vector<DrawRecord> draws;
-  std::vector<std::shared_ptr<ProgramHolder>> programs;  // alive until the frame is done
-  std::vector<std::unique_ptr<Packet>> packets;          // the first packet_count are in use
+  std::vector<std::unique_ptr<Packet>> packets;  // the first packet_count are in use
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
+  SharedVertices shared_vertices;
   TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<SampleTiles>> tiles;
-  std::atomic<size_t> cursor{0};
+  std::vector<std::unique_ptr<BackWorker>> back_workers;
+  std::atomic<size_t> next_chunk{0}, next_packet{0}, next_tile{0};
+  std::atomic<uint32_t> chunks_done{0}, packets_done{0}, tiles_ready{0};
+  std::atomic<bool> failed{false};
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {
@@ -71,154 +64,163 @@ struct Frame::Impl {
 
   void forget_recorded() {
     draws.clear();
-    programs.clear();
     packet_count = 0;
     primitive_total = 0;
-    recorded_vertex = nullptr;
+    state.reset();
+    arrays.reset();
     arena.reset();
     for (const FrontWorkerPtr& worker : front_workers) {
       if (worker) reset_front_worker(*worker);
     }
   }
 
-  ProgramHolder& current_program() {
-    if (!program) {
-      auto holder = std::make_shared<ProgramHolder>();
-      holder->state = fragment_state;
-      if (target.colour && !target.colour->has_alpha) {
-        holder->state.colour_mask &= 0x7;
-      }
-      if (!target.colour) {
-        holder->state.colour_mask = 0;
-      }
-      if (target.depth_stencil) {
-        holder->target.has_depth = target.depth_stencil->has_depth;
-        holder->target.has_stencil = target.depth_stencil->has_stencil;
-        holder->target.depth_bits = target.depth_stencil->depth_bits;
-      }
-      holder->target.multisampled = target.samples() > 1;
-      holder->target.srgb = target.colour && target.colour->srgb;
-      if (target.colour) holder->target.format = target.colour->format;
-      program = std::move(holder);
-    }
-    if (programs.empty() || programs.back() != program) {
-      programs.push_back(program);
-    }
-    return *program;
-  }
-
-  // 3.2.1: multisample rasterization; 3.3, 3.4: antialiasing of points and lines, which sprites
-  // ignore.
-  FragmentCoverage coverage_of(Primitive primitive) const {
-    const bool point = primitive == Primitive::kPoints;
-    if (raster_state.multisample && target.samples() > 1) {
-      return point ? FragmentCoverage::kMultisamplePoint : FragmentCoverage::kMultisample;
-    }
-    const bool line = primitive == Primitive::kLines || primitive == Primitive::kLineLoop ||
-                      primitive == Primitive::kLineStrip;
-    const bool smooth = (point && raster_state.point_smooth && !raster_state.point_sprite) ||
-                        (line && raster_state.line_smooth);
-    return smooth ? FragmentCoverage::kSmooth : FragmentCoverage::kCentre;
-  }
-
-  // Window y of window-system surfaces is computed as Mesa does, counting from the top; setup
-  // mirrors the snapped value (docs/architecture.md, "Mesa's coverage").
-  Viewport target_viewport() const {
-    Viewport viewport = raster_state.viewport;
-    if (!target.mirrored) {
-      return viewport;
-    }
-    viewport.scale_y = -viewport.scale_y;
-    viewport.centre_y = static_cast<float>(target.height) - viewport.centre_y;
-    return viewport;
-  }
-
-  const VertexState* record_vertex_state() {
-    auto* state = new (arena.allocate(sizeof(VertexState))) VertexState(vertex_state);
-    if (const MatrixPalette* palette = state->palette) {
-      state->palette = new (arena.allocate(sizeof(MatrixPalette))) MatrixPalette(*palette);
-    }
-    return state;
+  // Whether a list of triangles, lines or points may go on with the next one: the elements follow
+  // each other in one stream, and nothing but packets knows where draws end.
+  static bool continues(const DrawRecord& last, const DrawRecord& next) {
+    const uint32_t corners = corners_of(last.primitive);
+    return corners != 0 && next.primitive == last.primitive && next.state == last.state &&
+           next.vertex == last.vertex && next.sources == last.sources &&
+           next.index_type == IndexType::kNone && last.index_type == IndexType::kNone &&
+           last.count % corners == 0 &&
+           next.first - next.index_base == last.first + last.count - last.index_base;
   }
 
   void record(const DrawCommand& command, uint32_t count) {
     DrawRecord draw;
-    const FragmentCoverage coverage = coverage_of(command.primitive);
-    draw.program = current_program().program(coverage);
-    if (recorded_vertex == nullptr) {
-      recorded_vertex = record_vertex_state();
+    draw.state = state.of(command.primitive, arena);
+    if (draw.state == nullptr) return;
+    draw.vertex = state.vertices(arena);
+    arrays.record(command, state.attributes(), arena, draw);
+    uint32_t skipped = 0;  // primitives of the draw that is continued
+    if (!draws.empty() && continues(draws.back(), draw)) {
+      skipped = primitive_count(draw.primitive, draws.back().count);
+      draws.back().count += draw.count;
+    } else {
+      draws.push_back(draw);
     }
-    draw.vertex = recorded_vertex;
-    draw.setup.raster = raster_state;
-    draw.setup.layout = make_vertex_layout(vertex_state);
-    draw.setup.bounds = intersect(raster_state.scissor, {0, 0, target.width, target.height});
-    draw.setup.coverage = coverage;
-    draw.setup.point_fade_threshold = vertex_state.point_fade_threshold;
-    draw.setup.inputs = fragment_inputs(*draw.program);
-    draw.outputs = fragment_outputs(*draw.program);
-    draw.setup.inputs.texture_units &= draw.setup.layout.texture_units;
-    if (target.depth_stencil) draw.setup.depth_bits = target.depth_stencil->depth_bits;
-    draw.setup.mirror_height = target.mirrored ? target.height : 0;
-    draw.setup.two_sided = draw.setup.layout.back_colour_offset != 0;
-    draw.clip.layout = draw.setup.layout;
-    draw.clip.viewport = target_viewport();
-    draw.clip.guard = make_guard_band(draw.clip.viewport);
-    draw.clip.flat_shade = raster_state.flat_shade;
-    if (draw.setup.bounds.x0 >= draw.setup.bounds.x1 ||
-        draw.setup.bounds.y0 >= draw.setup.bounds.y1) {
-      return;
-    }
-    draw.index_base = record_arrays(command, arena, draw.command);
-    draws.push_back(std::move(draw));
-    const uint32_t draw_index = static_cast<uint32_t>(draws.size() - 1);
-    for (uint32_t first = 0; first < count;) {
-      Packet& packet = open_packet();
-      const uint32_t part = std::min(count - first, kPacketPrimitives - packet.primitive_count);
-      packet.ranges.push_back({draw_index, first, part});
-      packet.primitive_count += part;
-      first += part;
-    }
+    add_primitives(static_cast<uint32_t>(draws.size() - 1), skipped, count);
     primitive_total += count;
   }
 
-  static void front_task(void* context, int worker) {
-    Impl& frame = *static_cast<Impl*>(context);
-    for (size_t i = frame.cursor.fetch_add(1); i < frame.packet_count;
-         i = frame.cursor.fetch_add(1)) {
-      if (!frame.packets[i]->is_clear) {
-        run_front(*frame.front_workers[worker], frame.draws, frame.grid, *frame.packets[i]);
+  void add_primitives(uint32_t draw_index, uint32_t first, uint32_t count) {
+    const uint32_t end = first + count;
+    while (first < end) {
+      Packet& packet = open_packet();
+      const uint32_t part = std::min(end - first, kPacketPrimitives - packet.primitive_count);
+      if (!packet.ranges.empty() && packet.ranges.back().draw == draw_index) {
+        packet.ranges.back().primitive_count += part;
+      } else {
+        packet.ranges.push_back({draw_index, first, part});
       }
+      packet.primitive_count += part;
+      first += part;
     }
   }
 
-  static void back_task(void* context, int worker) {
+  // Without memory the frame fails as a whole, when nobody works on it any more.
+  template <typename Work>
+  void unless_failed(const Work& work) try {
+    if (!failed.load(std::memory_order_relaxed)) work();
+  } catch (const std::bad_alloc&) {
+    failed = true;
+  }
+
+  void run_chunks() {
+    const size_t count = shared_vertices.chunk_count();
+    uint32_t done = 0;
+    for (size_t i = next_chunk.fetch_add(1); i < count; i = next_chunk.fetch_add(1)) {
+      shared_vertices.run(draws, i);
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(count);
+    if (done != 0 && chunks_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      chunks_done.notify_all();
+    }
+  }
+
+  void run_packets(int worker) {
+    uint32_t done = 0;
+    for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
+      if (!packets[i]->is_clear) {
+        unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
+      }
+      ++done;
+    }
+    const uint32_t total = static_cast<uint32_t>(packet_count);
+    if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
+      unless_failed([&] { make_tile_work(packets, packet_count, grid, tile_work); });
+      tiles_ready.store(1, std::memory_order_release);
+      tiles_ready.notify_all();
+    }
+  }
+
+  void run_tiles(int worker) {
+    if (failed) return;
+    const size_t count = static_cast<size_t>(grid.count());
+    for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
+      run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
+               *back_workers[worker]);
+    }
+  }
+
+  // All phases, so that a worker wakes up once a frame.
+  static void task(void* context, int worker) {
     Impl& frame = *static_cast<Impl*>(context);
-    const size_t tiles = static_cast<size_t>(frame.grid.count());
-    for (size_t i = frame.cursor.fetch_add(1); i < tiles; i = frame.cursor.fetch_add(1)) {
-      run_back(frame.draws, frame.packets, frame.tile_work, frame.target, frame.grid,
-               static_cast<int>(i), *frame.tiles[worker]);
-    }
+    frame.run_chunks();
+    wait_until(frame.chunks_done, static_cast<uint32_t>(frame.shared_vertices.chunk_count()));
+    frame.run_packets(worker);
+    wait_until(frame.tiles_ready, 1);
+    frame.run_tiles(worker);
   }
 
-  void make_workers() {
-    const size_t count = static_cast<size_t>(worker_count());
+  void make_workers(size_t count) {
     while (front_workers.size() < count) {
       front_workers.push_back(make_front_worker());
     }
-    while (tiles.size() < count) {
-      tiles.push_back(std::make_unique<SampleTiles>());
+    while (back_workers.size() < count) {
+      back_workers.push_back(std::make_unique<BackWorker>());
     }
   }
 
-  void execute() {
-    make_workers();
-    if (!draws.empty()) {
-      cursor = 0;
-      run_on_workers(&front_task, this);
+  // Whether the tiles are less work than waking a thread to share it, from what the packets hold.
+  bool is_little() const {
+    // Nanoseconds, roughly.
+    constexpr int64_t kTile = 80, kPrimitive = 150, kPixel = 8, kWakeUp = 60000;
+    int64_t work = kTile * grid.count();
+    for (size_t i = 0; i < packet_count && work < kWakeUp; ++i) {
+      if (packets[i]->is_clear) continue;
+      work += kPrimitive * static_cast<int64_t>(packets[i]->small.size());
+      for (const PrimitiveRecord& p : packets[i]->primitives) {
+        work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
+      }
     }
-    make_tile_work(packets, packet_count, grid, tile_work);
-    cursor = 0;
-    run_on_workers(&back_task, this);
+    return work < kWakeUp;
+  }
+
+  void execute() {
+    next_chunk = next_packet = next_tile = 0;
+    chunks_done = packets_done = tiles_ready = 0;
+    failed = false;
+    make_workers(1);
+    shared_vertices.prepare(draws, arena);
+    // A packet is built by one worker anyway.
+    const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
+    const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
+    if (std::count_if(packets.begin(), end, is_draw) <= 1) {
+      run_chunks();
+      run_packets(0);
+      if (is_little()) {
+        run_tiles(0);
+        return check();
+      }
+    }
+    make_workers(static_cast<size_t>(worker_count()));
+    run_on_workers(&task, this);
+    check();
+  }
+
+  void check() const {
+    if (failed) throw std::bad_alloc();
   }
 };
 
@@ -226,27 +228,20 @@ Frame::Frame() : impl_(std::make_unique<Impl>()) {}
 Frame::~Frame() = default;
 
 void Frame::set_target(const Target& target) {
-  if (target.colour == impl_->target.colour &&
-      target.depth_stencil == impl_->target.depth_stencil && target.width == impl_->target.width &&
-      target.height == impl_->target.height && target.mirrored == impl_->target.mirrored) {
+  const Target& now = impl_->state.target();
+  if (target.colour == now.colour && target.depth_stencil == now.depth_stencil &&
+      target.width == now.width && target.height == now.height && target.mirrored == now.mirrored) {
     return;
   }
   finish();
-  impl_->target = target;
+  impl_->state.set_target(target);
   impl_->grid = make_tile_grid(target.width, target.height);
-  impl_->program.reset();
 }
 
-void Frame::set_vertex_state(const VertexState& state) {
-  impl_->vertex_state = state;
-  impl_->recorded_vertex = nullptr;
-}
-
-void Frame::set_raster_state(const RasterState& state) { impl_->raster_state = state; }
-
+void Frame::set_vertex_state(const VertexState& state) { impl_->state.set_vertex_state(state); }
+void Frame::set_raster_state(const RasterState& state) { impl_->state.set_raster_state(state); }
 void Frame::set_fragment_state(const FragmentState& state) {
-  impl_->fragment_state = state;
-  impl_->program.reset();
+  impl_->state.set_fragment_state(state);
 }
 
 bool Frame::draw(const DrawCommand& command) try {
@@ -254,7 +249,8 @@ bool Frame::draw(const DrawCommand& command) try {
   if (count == 0 || impl_->grid.count() == 0) {
     return true;
   }
-  if (impl_->primitive_total >= kMaxFramePrimitives || impl_->draws.size() >= kMaxFrameDraws) {
+  if (impl_->primitive_total >= kMaxFramePrimitives || impl_->draws.size() >= kMaxFrameDraws ||
+      impl_->state.is_full()) {
     finish();
   }
   impl_->record(command, count);
@@ -265,8 +261,10 @@ bool Frame::draw(const DrawCommand& command) try {
 
 bool Frame::clear(const ClearCommand& command) try {
   ClearCommand clear = command;
-  clear.rect = intersect(clear.rect, {0, 0, impl_->target.width, impl_->target.height});
-  if (impl_->target.colour && !impl_->target.colour->has_alpha) {
+  const Target& target = impl_->state.target();
+  clear.rect = {std::max(clear.rect.x0, 0), std::max(clear.rect.y0, 0),
+                std::min(clear.rect.x1, target.width), std::min(clear.rect.y1, target.height)};
+  if (target.colour && !target.colour->has_alpha) {
     clear.colour_mask &= 0x7;
     // Alpha is 255 already; clearing it to the same keeps the clear a plain fill.
     if (clear.colour_mask == 0x7) {
@@ -275,7 +273,7 @@ bool Frame::clear(const ClearCommand& command) try {
     }
   }
   // Bits that the buffer does not have may be cleared with the others: again a plain fill.
-  if (const auto& planes = impl_->target.depth_stencil; planes && !planes->partial_view) {
+  if (const auto& planes = target.depth_stencil; planes && !planes->partial_view) {
     if (clear.depth && !planes->has_stencil) {
       clear.stencil = true;
       clear.stencil_mask = 0xff;

@@ -16,6 +16,7 @@
 #include "pipeline/clip/clip.h"
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/small.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
@@ -27,43 +28,39 @@ namespace clearpipe::pipeline {
 inline constexpr uint32_t kPacketPrimitives = 512;
 inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
 
-// A fragment state with its programs, made when first drawn with; keeps the images they sample.
-struct ProgramHolder {
-  struct Destroy {
-    void operator()(FragmentProgram* program) const { destroy_fragment_program(program); }
-  };
-
-  FragmentState state;
-  FragmentTarget target;
-  std::unique_ptr<FragmentProgram, Destroy> programs[kFragmentCoverages];
-
-  const FragmentProgram* program(FragmentCoverage coverage) {
-    auto& made = programs[static_cast<int>(coverage)];
-    if (!made) {
-      made.reset(make_fragment_program(state, target, coverage));
-    }
-    return made.get();
-  }
-};
-
-// A recorded draw: its command with every pointer good until the frame is done, and its state.
-struct DrawRecord {
-  DrawCommand command;
-  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
-  const VertexState* vertex = nullptr;
+// What a draw needs besides its vertices; draws share it until state changes.
+struct DrawState {
+  // The same number: the vertex states differ in their matrices alone, and vertices of the draws
+  // can come out of one vertex job.
+  uint32_t vertex_group = 0;
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
   SetupState setup;
   ClipState clip;
 };
 
+// A recorded draw. All it points to is good until the frame is done.
+struct DrawRecord {
+  const DrawState* state = nullptr;
+  const VertexState* vertex = nullptr;  // by itself: matrices often change alone
+  // Where attributes come from, perhaps together with those of other draws; of what else a command
+  // says only whether it draws points is of interest here.
+  const DrawCommand* sources = nullptr;
+  Primitive primitive = Primitive::kTriangles;
+  IndexType index_type = IndexType::kNone;
+  uint32_t first = 0, count = 0;
+  const std::byte* indices = nullptr;
+  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
+  // Of large indexed draws (shared_vertices.h): the vertex records of the elements from
+  // `first_shared` on. Else null, and packets make their own.
+  const float* shared = nullptr;
+  uint32_t first_shared = 0;
+};
+
 struct PacketRange {
   uint32_t draw = 0;
   uint32_t first_primitive = 0, primitive_count = 0;
 };
-
-// Set in the entries of bins that number a small primitive.
-inline constexpr uint32_t kSmallEntry = 0x80000000u;
 
 struct Packet {
   // Filled while recording.
@@ -75,6 +72,7 @@ struct Packet {
   // Filled by the front phase.
   std::vector<PrimitiveRecord> primitives;
   std::vector<SmallPrimitive> small;
+  std::vector<const float*> records;  // by range: its vertex records
   Bins bins;
 
   void reset() {
@@ -88,6 +86,17 @@ struct Packet {
 
 // How many primitives `count` vertices make (2.6.1).
 uint32_t primitive_count(Primitive primitive, uint32_t count);
+
+// How many vertices a primitive has that shares none with another; else 0.
+uint32_t corners_of(Primitive primitive);
+
+// The job that makes vertex records of elements of a draw.
+inline VertexJob make_vertex_job(const DrawRecord& draw, const uint32_t* elements, size_t count,
+                                 float* records) {
+  const ClipState& clip = draw.state->clip;
+  return {draw.sources, draw.vertex, clip.viewport, clip.guard,
+          clip.layout,  elements,    count,         records};
+}
 
 // Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.
 class FrontWorker;
@@ -108,9 +117,15 @@ struct TileWork {
 void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
                     const TileGrid& grid, TileWork& work);
 
+// What a worker has in the back phase; used for one tile after another.
+struct BackWorker {
+  SampleTiles tiles;
+  SmallShader small;
+};
+
 // Runs the back phase of one tile.
 void run_back(const std::vector<DrawRecord>& draws,
               const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
-              const Target& target, const TileGrid& grid, int tile_index, SampleTiles& tiles);
+              const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker);
 
 }  // namespace clearpipe::pipeline

@@ -18,6 +18,7 @@ struct Scene {
   VertexState vertex;
   RasterState raster;
   FragmentState fragment;
+  Vec4 normal{0, 0, 0, 1};
 
   explicit Scene(int samples = 1) {
     target.colour = make_colour_buffer(kWidth, kHeight, true, samples);
@@ -44,6 +45,7 @@ struct Scene {
     position.stride = 12;
     position.pointer = reinterpret_cast<const std::byte*>(xyz.data());
     command.attributes[static_cast<int>(Attribute::kColour)].constant = colour;
+    command.attributes[static_cast<int>(Attribute::kNormal)].constant = normal;
     command.attributes[static_cast<int>(Attribute::kPointSize)].constant.x = vertex.point_size;
     ASSERT_TRUE(frame.draw(command));
   }

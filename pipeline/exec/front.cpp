@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
+#include "pipeline/exec/corners.h"
 #include "pipeline/exec/frame_data.h"
-#include "pipeline/exec/small.h"
-#include "pipeline/setup/triangles.h"
+#include "pipeline/setup/lanes.h"
 
 namespace clearpipe::pipeline {
 
@@ -29,79 +30,68 @@ uint32_t primitive_count(Primitive primitive, uint32_t count) {
   return 0;
 }
 
-namespace {
-
-// The vertices of primitive `p`, numbered as the draw names them (2.6.1). The last is provoking;
-// odd triangles of a strip exchange the first two, so that all have the strip's winding.
-int primitive_vertices(Primitive primitive, uint32_t p, uint32_t count, uint32_t out[3]) {
+uint32_t corners_of(Primitive primitive) {
   switch (primitive) {
     case Primitive::kPoints:
-      out[0] = p;
       return 1;
     case Primitive::kLines:
-      out[0] = 2 * p;
-      out[1] = 2 * p + 1;
-      return 2;
-    case Primitive::kLineLoop:
-      out[0] = p;
-      out[1] = p + 1 == count ? 0 : p + 1;
-      return 2;
-    case Primitive::kLineStrip:
-      out[0] = p;
-      out[1] = p + 1;
       return 2;
     case Primitive::kTriangles:
-      out[0] = 3 * p;
-      out[1] = 3 * p + 1;
-      out[2] = 3 * p + 2;
       return 3;
-    case Primitive::kTriangleStrip:
-      out[0] = p + (p & 1);
-      out[1] = p + 1 - (p & 1);
-      out[2] = p + 2;
-      return 3;
-    case Primitive::kTriangleFan:
-      out[0] = 0;
-      out[1] = p + 1;
-      out[2] = p + 2;
-      return 3;
+    default:
+      return 0;
   }
-  return 0;
 }
 
-uint32_t element_index(const DrawRecord& draw, uint32_t vertex) {
-  const DrawCommand& command = draw.command;
-  switch (command.index_type) {
-    case IndexType::kNone:
-      return command.first + vertex - draw.index_base;
-    case IndexType::kUnsignedByte:
-      return std::to_integer<uint32_t>(command.indices[vertex]) - draw.index_base;
-    case IndexType::kUnsignedShort: {
-      uint16_t value;
-      std::memcpy(&value, command.indices + size_t{2} * vertex, sizeof(value));
-      return value - draw.index_base;
-    }
-    case IndexType::kUnsignedInt: {
-      uint32_t value;
-      std::memcpy(&value, command.indices + size_t{4} * vertex, sizeof(value));
-      return value - draw.index_base;
-    }
+namespace {
+
+// Whether the vertices of both draws can come out of one vertex job.
+bool share_job(const DrawRecord& a, const DrawRecord& b) {
+  return a.shared == nullptr && b.shared == nullptr && a.sources == b.sources &&
+         a.state->vertex_group == b.state->vertex_group;
+}
+
+bool setup_primitive(const SetupState& state, int corners, const float* const* v,
+                     PrimitiveRecord& out) {
+  switch (corners) {
+    case 1:
+      return setup_point(state, v[0], out);
+    case 2:
+      return setup_line(state, v[0], v[1], out);
+    default:
+      return setup_triangle(state, v[0], v[1], v[2], out);
   }
-  return 0;
 }
 
 }  // namespace
 
-// The scratch memory of one worker: the elements of the range at hand with a table that finds an
+// Whether the primitives of two draws with vertices of one job are set up alike.
+bool share_setup(const DrawRecord& a, const DrawRecord& b) {
+  if (corner_count(a.primitive) != corner_count(b.primitive)) return false;
+  if (a.state == b.state) return true;
+  if (b.primitive < Primitive::kTriangles || !draws_small(b)) return false;
+  const SetupState &s = a.state->setup, &t = b.state->setup;
+  return s.bounds.x0 == t.bounds.x0 && s.bounds.y0 == t.bounds.y0 && s.bounds.x1 == t.bounds.x1 &&
+         s.bounds.y1 == t.bounds.y1 && s.raster.cull == t.raster.cull &&
+         s.raster.front_is_clockwise == t.raster.front_is_clockwise;
+}
+
+// The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
-    packet.bins.reset(grid, tile_numbers_);
+    packet.bins.reset(grid, bin_scratch_);
     packet.primitives.clear();
     packet.small.clear();
-    for (const PacketRange& range : packet.ranges) {
-      run_range(draws[range.draw], range, packet);
+    packet.records.clear();
+    const std::vector<PacketRange>& ranges = packet.ranges;
+    for (size_t first = 0; first < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[first].draw];
+      size_t end = first + 1;
+      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw])) ++end;
+      run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
+      first = end;
     }
     packet.bins.close();
   }
@@ -126,145 +116,189 @@ class FrontWorker {
     return static_cast<uint16_t>(element_count_++);
   }
 
-  void run_range(const DrawRecord& draw, const PacketRange& range, Packet& packet) {
-    ++generation_;
-    element_count_ = 0;
-    const Primitive primitive = draw.command.primitive;
-    int corners = 0;
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      uint32_t vertex[3] = {};
-      corners =
-          primitive_vertices(primitive, range.first_primitive + i, draw.command.count, vertex);
-      for (int k = 0; k < corners; ++k) {
-        triangles_.corner[k][i] = local_vertex(element_index(draw, vertex[k]));
-      }
-    }
-    const int stride = draw.setup.layout.stride;
-    float* records = static_cast<float*>(arena_.allocate(sizeof(float) * stride * element_count_));
-    VertexJob job;
-    job.draw = &draw.command;
-    job.state = draw.vertex;
-    job.viewport = draw.clip.viewport;
-    job.guard = draw.clip.guard;
-    job.layout = draw.setup.layout;
-    job.elements = elements_.data();
-    job.count = element_count_;
-    job.records = records;
-    run_vertex_stages(job);
-
-    draws_small_ = draws_small(draw);
-    if (corners == 3 && draws_small_) {
-      emit_triangles(draw, range, records, packet);
-      return;
-    }
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      emit_corners(draw, range.draw, corners, records, i, packet);
+  // Lists the elements of a range, and of each corner of its primitives which of them it is; the
+  // first primitive is number `first` of the job.
+  void list_elements(const DrawRecord& draw, const PacketRange& range, uint32_t first) {
+    const bool apart = draw.index_type == IndexType::kNone && corners_of(draw.primitive) != 0;
+    if (apart) {  // each vertex belongs to one primitive
+      for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+        elements_[element_count_] = element;
+        lanes_.corner[k][first + i] = static_cast<int32_t>(element_count_++);
+      });
+    } else {
+      for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+        lanes_.corner[k][first + i] = local_vertex(element);
+      });
     }
   }
 
-  // Triangles that are settled many at once, and the others.
-  void emit_triangles(const DrawRecord& draw, const PacketRange& range, const float* records,
-                      Packet& packet) {
-    for (auto& corner : triangles_.corner) {
-      std::fill_n(corner.begin() + range.primitive_count, kTriangleLanes, 0);
+  // The same, and notes which matrices the elements go with. With others, the same element is
+  // another vertex.
+  void list_run(const DrawRecord& draw, const PacketRange& range, uint32_t first) {
+    const VertexState* matrices = draw.vertex;
+    if (run_count_ == 0 || runs_[run_count_ - 1].matrices != matrices) {
+      ++generation_;
+      runs_[run_count_++] = {matrices, 0};
     }
-    TriangleJob job;
-    job.records = records;
-    for (int k = 0; k < 3; ++k) job.corner[k] = triangles_.corner[k].data();
-    job.count = range.primitive_count;
-    job.fate = triangles_.fate.data();
-    job.x = triangles_.x.data();
-    job.y = triangles_.y.data();
-    job.mask_low = triangles_.mask_low.data();
-    job.mask_high = triangles_.mask_high.data();
-    setup_triangles(draw.setup, job);
-    const int stride = draw.setup.layout.stride;
-    for (uint32_t i = 0; i < range.primitive_count; ++i) {
-      const auto fate = static_cast<TriangleFate>(triangles_.fate[i]);
-      if (fate == TriangleFate::kNothing) continue;
-      if (fate == TriangleFate::kGeneral) {
-        emit_corners(draw, range.draw, 3, records, i, packet);
-        continue;
+    const uint32_t listed = element_count_;
+    list_elements(draw, range, first);
+    runs_[run_count_ - 1].count += element_count_ - listed;
+  }
+
+  // The same of a range whose draw has records of its own.
+  void list_shared(const DrawRecord& draw, const PacketRange& range) {
+    const uint32_t first = draw.first_shared;
+    for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
+      lanes_.corner[k][i] = static_cast<int32_t>(element - first);
+    });
+  }
+
+  // Ranges of draws whose vertices come out of one job.
+  void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+                  Packet& packet) {
+    const DrawRecord& draw = draws[ranges[0].draw];
+    if (draw.shared != nullptr) {
+      list_shared(draw, ranges[0]);
+      records_ = draw.shared;
+    } else {
+      element_count_ = run_count_ = 0;
+      uint32_t count = 0;
+      for (const PacketRange& range : ranges) {
+        list_run(draws[range.draw], range, count);
+        count += range.primitive_count;
       }
+      float* records =
+          arena_.allocate_array<float>(size_t{draw.state->clip.layout.stride} * element_count_);
+      VertexJob job = make_vertex_job(draw, elements_.data(), element_count_, records);
+      if (run_count_ > 1) job.runs = runs_.data();
+      run_vertex_stages(job);
+      records_ = records;
+    }
+    emit(draws, ranges, packet);
+  }
+
+  // Primitives from the records of their vertices; ranges of triangles or of lines whose draws setup
+  // cannot tell apart are set up together.
+  void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
+            Packet& packet) {
+    uint32_t first = 0;
+    for (size_t r = 0; r < ranges.size();) {
+      const DrawRecord& draw = draws[ranges[r].draw];
+      const int corners = corner_count(draw.primitive);
+      draws_small_ = draws_small(draw);
+      size_t end = r;
+      uint32_t count = 0;
+      while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
+        count += ranges[end++].primitive_count;
+      }
+      const bool in_lanes = corners > 1 && draws_small_;
+      if (in_lanes) {
+        (corners == 3 ? setup_triangles : setup_lines)(draw.state->setup,
+                                                       lane_job(records_, lanes_, first, count));
+      }
+      for (; r < end; first += ranges[r++].primitive_count) {
+        const DrawState& state = *draws[ranges[r].draw].state;
+        packet.records.push_back(records_);
+        for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
+          const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
+          if (fate == LaneFate::kGeneral) {
+            emit_corners(state, ranges[r].draw, corners, i, packet);
+          } else if (fate != LaneFate::kNothing) {
+            emit_settled(corners, fate, i, packet);
+          }
+        }
+      }
+    }
+  }
+
+  // A primitive that setup in lanes has settled.
+  void emit_settled(int corners, LaneFate fate, uint32_t i, Packet& packet) {
+    const bool other = fate == LaneFate::kSmallOther;
+    const int squares = lanes_.more[i] != 0 ? kSquaresOfLane : 1;
+    for (int square = 0; square < squares; ++square) {
+      const uint64_t mask = lanes_.mask(i, square);
+      if (mask == 0) continue;
       SmallPrimitive small;
-      for (int k = 0; k < 3; ++k) {
-        small.vertex[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * stride;
-      }
-      small.mask = static_cast<uint64_t>(triangles_.mask_high[i]) << 32 | triangles_.mask_low[i];
-      small.x = static_cast<int16_t>(triangles_.x[i]);
-      small.y = static_cast<int16_t>(triangles_.y[i]);
-      small.draw = range.draw;
-      small.size = 0;
-      small.kind = PrimitiveKind::kTriangle;
-      small.back_facing = fate == TriangleFate::kSmallBack;
-      add_small(small, packet);
+      small.mask = mask;
+      small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
+      small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
+      small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
+      small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
+      small.back_facing = corners == 3 && other;
+      add_small(i, small, packet);
     }
   }
 
-  // Primitive i of the range, one by itself.
-  void emit_corners(const DrawRecord& draw, uint32_t draw_index, int corners, const float* records,
-                    uint32_t i, Packet& packet) {
+  // Primitive i of the job, one by itself.
+  void emit_corners(const DrawState& draw, uint32_t draw_index, int corners, uint32_t i,
+                    Packet& packet) {
     const float* v[3] = {};
     uint32_t any = 0, all = ~0u;
     for (int k = 0; k < corners; ++k) {
-      v[k] = records + static_cast<ptrdiff_t>(triangles_.corner[k][i]) * draw.setup.layout.stride;
+      v[k] = records_ + static_cast<ptrdiff_t>(lanes_.corner[k][i]) * draw.clip.layout.stride;
       uint32_t outcode;
       std::memcpy(&outcode, v[k] + vertex_record::kOutcode, sizeof(outcode));
       any |= outcode;
       all &= outcode;
     }
-    // Not if outside one plane as a whole.
-    if ((all & ~uint32_t{kOutcodeGuard}) == 0) emit(draw, draw_index, corners, v, any, packet);
-  }
-
-  void emit(const DrawRecord& draw, uint32_t draw_index, int corners, const float* v[3],
-            uint32_t outcodes, Packet& packet) {
+    if ((all & ~uint32_t{kOutcodeGuard}) != 0) return;  // outside one plane as a whole
     PrimitiveRecord record;
     record.draw = draw_index;
-    if (corners == 3) {
-      if (outcodes == 0) {
-        add(setup_triangle(draw.setup, v[0], v[1], v[2], record), record, packet);
-        return;
+    if (any != 0) {
+      clip(draw, corners, v, any, record, packet);
+    } else if (setup_primitive(draw.setup, corners, v, record)) {
+      SmallPrimitive small;
+      if (!draws_small_ || !is_small(record)) {
+        add(record, packet);
+      } else if (make_small(record, small)) {
+        add_small(i, small, packet);
       }
+    }
+  }
+
+  // A primitive that crosses planes; a point that does is gone.
+  void clip(const DrawState& draw, int corners, const float* v[3], uint32_t outcodes,
+            PrimitiveRecord& record, Packet& packet) {
+    if (corners == 3) {
       const float* polygon[kMaxClippedCorners];
       const int count = clip_triangle(draw.clip, v, outcodes, arena_, polygon);
       for (int i = 2; i < count; ++i) {
         PrimitiveRecord piece = record;
-        add(setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece), piece,
-            packet);
+        if (setup_triangle(draw.setup, polygon[0], polygon[i - 1], polygon[i], piece)) {
+          add(piece, packet);
+        }
       }
-    } else if (corners == 2) {
-      if (outcodes == 0 || clip_line(draw.clip, v, outcodes, arena_)) {
-        add(setup_line(draw.setup, v[0], v[1], record), record, packet);
-      }
-    } else if (outcodes == 0) {
-      add(setup_point(draw.setup, v[0], record), record, packet);
+    } else if (corners == 2 && clip_line(draw.clip, v, outcodes, arena_) &&
+               setup_line(draw.setup, v[0], v[1], record)) {
+      add(record, packet);
     }
   }
 
-  void add(bool visible, const PrimitiveRecord& record, Packet& packet) const {
-    if (!visible) return;
-    if (draws_small_ && is_small(record)) {
-      SmallPrimitive small;
-      if (!make_small(record, small)) return;
-      add_small(small, packet);
-    } else {
-      packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
-      packet.primitives.push_back(record);
-    }
+  static void add(const PrimitiveRecord& record, Packet& packet) {
+    packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
+    packet.primitives.push_back(record);
   }
 
-  static void add_small(const SmallPrimitive& primitive, Packet& packet) {
+  // Primitive i of the job, of the last range whose records the packet has.
+  void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
+    static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
+    for (int k = 0; k < 3; ++k) {
+      primitive.vertex[k] = static_cast<uint32_t>(lanes_.corner[k][i]);
+    }
+    primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
     packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
     packet.small.push_back(primitive);
   }
 
   Arena arena_;
-  TileNumbers tile_numbers_;
-  uint32_t element_count_ = 0;
+  BinScratch bin_scratch_;
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
+  uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
-  TriangleSet<kPacketPrimitives> triangles_;  // of points and lines, their corners alone
+  uint32_t run_count_ = 0;
+  std::array<VertexRun, kPacketPrimitives> runs_;
+  const float* records_ = nullptr;    // the vertices of the job at hand
+  LaneSet<kPacketPrimitives> lanes_;  // of points, their corners alone
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};

@@ -4,24 +4,16 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 namespace clearpipe::pipeline {
 
 namespace {
 
-uint32_t component_bytes(ComponentType type) {
-  switch (type) {
-    case ComponentType::kByte:
-    case ComponentType::kUnsignedByte:
-      return 1;
-    case ComponentType::kShort:
-      return 2;
-    case ComponentType::kFixed:
-    case ComponentType::kFloat:
-      return 4;
-  }
-  return 4;
-}
+// Draws of so few vertices are copied into a stream, wherever they come from: a vertex job of their
+// own would cost more.
+constexpr uint32_t kSmallDraw = 32;
+constexpr uint32_t kSmallIndices = 2 * kSmallDraw;
 
 uint32_t index_bytes(IndexType type) {
   switch (type) {
@@ -85,22 +77,69 @@ void copy_client_array(AttributeSource& source, const ElementRange& range, Arena
   source.max_index = range.last - range.first;
 }
 
+const std::byte* copy_indices(const DrawCommand& command, Arena& arena) {
+  const size_t bytes = size_t{index_bytes(command.index_type)} * command.count;
+  auto* copy = static_cast<std::byte*>(arena.allocate(bytes));
+  std::memcpy(copy, command.indices, bytes);
+  return copy;
+}
+
 }  // namespace
 
-uint32_t record_arrays(const DrawCommand& command, Arena& arena, DrawCommand& out) {
-  out = command;
-  const bool client_arrays =
-      std::any_of(out.attributes.begin(), out.attributes.end(),
-                  [](const AttributeSource& a) { return a.is_array && !a.buffer; });
+void ArrayRecorder::hold(const BufferRef& buffer) {
+  // Draws mostly follow others from the same buffers; twice does no harm.
+  constexpr size_t kLast = 4;
+  const size_t searched = std::min(kLast, buffers_.size());
+  if (std::find(buffers_.end() - static_cast<ptrdiff_t>(searched), buffers_.end(), buffer) ==
+      buffers_.end()) {
+    buffers_.push_back(buffer);
+  }
+}
+
+bool ArrayRecorder::record_small(const DrawCommand& command, uint32_t attributes, Arena& arena,
+                                 DrawRecord& draw) {
+  if (command.count > (command.index_type == IndexType::kNone ? kSmallDraw : kSmallIndices)) {
+    return false;
+  }
+  const ElementRange range = used_elements(command);
+  if (range.last - range.first >= kSmallDraw) return false;
+  VertexStream* stream = streams_.find(command, attributes);
+  if (stream == nullptr) return false;
+  draw.index_base = range.first - stream->append(command, range.first, range.last, arena);
+  draw.sources = stream->sources();
+  if (command.index_type != IndexType::kNone) {
+    draw.indices = copy_indices(command, arena);
+  }
+  return true;
+}
+
+void ArrayRecorder::record(const DrawCommand& command, uint32_t attributes, Arena& arena,
+                           DrawRecord& draw) {
+  draw.primitive = command.primitive;
+  draw.index_type = command.index_type;
+  draw.first = command.first;
+  draw.count = command.count;
+  if (record_small(command, attributes, arena, draw)) return;
+
+  auto* sources = new (arena.allocate(sizeof(DrawCommand))) DrawCommand(command);
+  constexpr uint32_t kSize = 1u << static_cast<uint32_t>(Attribute::kPointSize);
+  if (command.primitive == Primitive::kPoints) attributes |= kSize;
+  bool client_arrays = false;
+  for (uint32_t a = 0; a < kAttributeCount; ++a) {
+    AttributeSource& source = sources->attributes[a];
+    if ((attributes >> a & 1) == 0) source.is_array = false;
+    if (source.is_array && source.buffer != nullptr) hold(*source.buffer);
+    client_arrays = client_arrays || (source.is_array && source.buffer == nullptr);
+  }
   uint32_t base = 0;
   if (client_arrays) {
     const ElementRange range = used_elements(command);
     base = range.first;
-    for (AttributeSource& source : out.attributes) {
+    for (AttributeSource& source : sources->attributes) {
       if (!source.is_array) {
         continue;
       }
-      if (!source.buffer) {
+      if (source.buffer == nullptr) {
         copy_client_array(source, range, arena);
       } else if (base <= source.max_index) {
         source.pointer += size_t{base} * source.stride;
@@ -112,13 +151,15 @@ uint32_t record_arrays(const DrawCommand& command, Arena& arena, DrawCommand& ou
       }
     }
   }
-  if (command.index_type != IndexType::kNone && !command.index_buffer) {
-    const size_t bytes = size_t{index_bytes(command.index_type)} * command.count;
-    auto* copy = static_cast<std::byte*>(arena.allocate(bytes));
-    std::memcpy(copy, command.indices, bytes);
-    out.indices = copy;
+  draw.sources = sources;
+  draw.index_base = base;
+  draw.indices = command.indices;
+  if (command.index_type == IndexType::kNone) return;
+  if (command.index_buffer != nullptr) {
+    hold(*command.index_buffer);
+  } else {
+    draw.indices = copy_indices(command, arena);
   }
-  return base;
 }
 
 }  // namespace clearpipe::pipeline

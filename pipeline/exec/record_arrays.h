@@ -3,16 +3,36 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/frame_data.h"
+#include "pipeline/exec/vertex_stream.h"
 
 namespace clearpipe::pipeline {
 
-// Makes `out` a copy of `command` whose pointers stay good until the frame is done: what lies in
-// client memory is copied into the arena, compactly and only the elements that are used; what lies
-// in buffer objects is kept by reference. Returns the element index that the copies begin with,
-// which the caller subtracts from every index.
-uint32_t record_arrays(const DrawCommand& command, Arena& arena, DrawCommand& out);
+class ArrayRecorder {
+ public:
+  // Sets everything in `draw` but its state, all of it good until the frame is done. The vertices
+  // of a small draw go to a stream. Of others, what lies in client memory is copied into the arena,
+  // compactly and only the elements and attributes (a bit each) that are used; buffer objects are
+  // held by reference. Throws std::bad_alloc.
+  void record(const DrawCommand& command, uint32_t attributes, Arena& arena, DrawRecord& draw);
+
+  // The frame is done.
+  void reset() {
+    streams_.reset();
+    buffers_.clear();
+  }
+
+ private:
+  void hold(const BufferRef& buffer);
+  bool record_small(const DrawCommand& command, uint32_t attributes, Arena& arena,
+                    DrawRecord& draw);
+
+  VertexStreams streams_;
+  std::vector<BufferRef> buffers_;
+};
 
 }  // namespace clearpipe::pipeline

@@ -1,7 +1,11 @@
-// Small primitives of a tile: see small.h.
+// Small primitives of a tile: from their records to pixels, on every SIMD target. See small.h.
 // SPDX-License-Identifier: MIT
 #include "pipeline/exec/small.h"
 
+#include <new>
+#include <type_traits>
+
+#include "pipeline/exec/frame_data.h"
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -13,54 +17,87 @@
 #include "pipeline/setup/small_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace clearpipe::pipeline::exec::HWY_NAMESPACE {
 
-size_t ShadeSmall(const DrawRecord& draw, const SmallPrimitive* primitives,
-                  std::span<const uint32_t> entries, Tile& tile) {
-  SmallBatch batch(*draw.program, tile);
-  PrimitivePlanes planes;
-  const uint32_t number = primitives[entries[0] & ~kSmallEntry].draw;
+using fragment::HWY_NAMESPACE::SmallBatch;
+
+void begin(std::byte* memory, const FragmentProgram& program, Tile& tile) {
+  static_assert(std::is_trivially_destructible_v<SmallBatch>);
+  static_assert(sizeof(SmallBatch) <= SmallShader::kBatchBytes);
+  new (memory) SmallBatch(program, tile);
+}
+
+size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet& packet,
+           std::span<const uint32_t> entries, Tile& tile) {
+  SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
+  const SmallPrimitive* primitives = packet.small.data();
+  SmallPlanes planes;
+  uint32_t range = ~0u;
+  const DrawState* draw = nullptr;
+  const float* records = nullptr;
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
-    if (primitive.draw != number) break;
-    const SmallCoverage coverage =
-        small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
-    setup::HWY_NAMESPACE::small_planes(draw.setup, primitive, planes);
-    batch.add(planes, coverage);
+    if (primitive.range != range) {
+      range = primitive.range;
+      const DrawState& next = *draws[packet.ranges[range].draw].state;
+      if (draw != nullptr && next.program != draw->program) break;
+      draw = &next;
+      records = packet.records[range];
+    }
+    setup::HWY_NAMESPACE::small_planes(draw->setup, records, primitive, planes);
+    batch.add(planes, small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y));
   }
-  batch.flush();
   return taken;
 }
 
-}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+void flush(std::byte* memory) { std::launder(reinterpret_cast<SmallBatch*>(memory))->flush(); }
+
+const SmallKernels* kernels() {
+  static constexpr SmallKernels kKernels = {&begin, &add, &flush};
+  return &kKernels;
+}
+
+}  // namespace clearpipe::pipeline::exec::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace clearpipe::pipeline {
-namespace fragment {
+namespace exec {
 
-HWY_EXPORT(ShadeSmall);
+HWY_EXPORT(kernels);
 
-using ShadeSmallFunction = size_t (*)(const DrawRecord&, const SmallPrimitive*,
-                                      std::span<const uint32_t>, Tile&);
-
-static ShadeSmallFunction resolve() {
-  select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  return static_cast<ShadeSmallFunction>(HWY_DYNAMIC_DISPATCH(ShadeSmall));
+static const SmallKernels& resolve() {
+  static const SmallKernels& resolved = []() -> const SmallKernels& {
+    select_simd_target();
+    return *HWY_DYNAMIC_DISPATCH(kernels)();
+  }();
+  return resolved;
 }
 
-}  // namespace fragment
+}  // namespace exec
 
 bool draws_small(const DrawRecord& draw) {
-  return draw.setup.coverage == FragmentCoverage::kCentre && batches_small(*draw.program);
+  return draw.state->setup.coverage == FragmentCoverage::kCentre &&
+         batches_small(*draw.state->program);
 }
 
-size_t shade_small(const DrawRecord& draw, const SmallPrimitive* primitives,
-                   std::span<const uint32_t> entries, Tile& tile) {
-  static const fragment::ShadeSmallFunction function = fragment::resolve();
-  return function(draw, primitives, entries, tile);
+size_t SmallShader::add(const std::vector<DrawRecord>& draws, const Packet& packet,
+                        std::span<const uint32_t> entries, Tile& tile) {
+  const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];
+  const FragmentProgram* program = draws[packet.ranges[first.range].draw].state->program;
+  if (program_ != program) {
+    flush();
+    program_ = program;
+    exec::resolve().begin(batch_, *program, tile);
+  }
+  return exec::resolve().add(batch_, draws, packet, entries, tile);
+}
+
+void SmallShader::flush() {
+  if (program_ == nullptr) return;
+  exec::resolve().flush(batch_);
+  program_ = nullptr;
 }
 
 }  // namespace clearpipe::pipeline

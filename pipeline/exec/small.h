@@ -1,21 +1,50 @@
-// Small primitives of a tile: from their records to pixels, on the SIMD target in use.
+// Shading of small primitives in the back phase: batches of their fragments, which may go on from
+// one packet of a tile to the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "pipeline/exec/frame_data.h"
-#include "pipeline/setup/small.h"
+#include "pipeline/fragment/program.h"
+#include "pipeline/raster/tile.h"
 
 namespace clearpipe::pipeline {
+
+struct DrawRecord;
+struct Packet;
+
+// Set in the entries of bins that number a small primitive.
+inline constexpr uint32_t kSmallEntry = 0x80000000u;
 
 // Whether what a draw makes small is made a small primitive.
 bool draws_small(const DrawRecord& draw);
 
-// Shades primitives of a packet in a tile: as many from the first entry of `entries` on as are
-// small ones of its draw; returns how many that are. The first is one of `draw`.
-size_t shade_small(const DrawRecord& draw, const SmallPrimitive* primitives,
-                   std::span<const uint32_t> entries, Tile& tile);
+// The kernels of one SIMD target. `memory` holds a batch.
+struct SmallKernels {
+  void (*begin)(std::byte* memory, const FragmentProgram& program, Tile& tile);
+  size_t (*add)(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet& packet,
+                std::span<const uint32_t> entries, Tile& tile);
+  void (*flush)(std::byte* memory);
+};
+
+// Shades the small primitives of a tile. What has come is shaded at the latest by flush(), which
+// must precede anything else that is done to the tile.
+class SmallShader {
+ public:
+  static constexpr size_t kBatchBytes = 32 * 1024;
+
+  // Takes entries of a packet: as many from the first on, which has to be of a small primitive, as
+  // are of small primitives of draws with one program. Returns how many that are.
+  size_t add(const std::vector<DrawRecord>& draws, const Packet& packet,
+             std::span<const uint32_t> entries, Tile& tile);
+  void flush();
+
+ private:
+  const FragmentProgram* program_ = nullptr;  // of the batch at hand; null: there is none
+  alignas(64) std::byte batch_[kBatchBytes];
+};
 
 }  // namespace clearpipe::pipeline

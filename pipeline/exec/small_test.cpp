@@ -2,15 +2,15 @@
 // for random states, with primitives that overlap. Runs on the SIMD target that CLEARPIPE_SIMD
 // selects.
 // SPDX-License-Identifier: MIT
-#include "pipeline/exec/small.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <random>
 #include <vector>
 
+#include "pipeline/exec/frame_data.h"
 #include "pipeline/fragment/own_tile.h"
 #include "pipeline/fragment/small.h"
 
@@ -92,9 +92,21 @@ FragmentState random_fragment_state(Random& random) {
   return state;
 }
 
+// A program of its own.
+class Program {
+ public:
+  explicit Program(const FragmentState& state = {})
+      : program_(make_fragment_program(state, {true, true}, FragmentCoverage::kCentre),
+                 destroy_fragment_program) {}
+  const FragmentProgram* get() const { return program_.get(); }
+
+ private:
+  std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program_;
+};
+
 struct Mesh {
+  Packet packet;
   std::vector<float> records;
-  std::vector<SmallPrimitive> primitives;
   std::vector<uint32_t> entries;
 };
 
@@ -105,6 +117,7 @@ Mesh random_mesh(Random& random, const VertexLayout& layout, bool w_changes) {
   mesh.records.resize(size_t{3} * kPrimitives * layout.stride);
   for (int i = 0; i < kPrimitives; ++i) {
     SmallPrimitive p{};
+    const float* first = &mesh.records[size_t{3} * i * layout.stride];
     p.x = static_cast<int16_t>(kTileX - 7 + random.below(kTileWidth + 7));
     p.y = static_cast<int16_t>(kTileY - 7 + random.below(kTileHeight + 7));
     p.mask = random.bits() & random.bits();
@@ -115,25 +128,42 @@ Mesh random_mesh(Random& random, const VertexLayout& layout, bool w_changes) {
     const bool one_colour = random.below(3) == 0, one_w = !w_changes || random.coin();
     for (int k = 0; k < 3; ++k) {
       float* record = &mesh.records[(size_t{3} * i + k) * layout.stride];
-      p.vertex[k] = record;
+      p.vertex[k] = static_cast<uint32_t>(3 * i + k);
       for (int f = 0; f < layout.stride; ++f) record[f] = random.real(0, 1);
       record[vertex_record::kWindow] = p.x + random.real(0, 8);
       record[vertex_record::kWindow + 1] = 400 - (p.y + random.real(0, 8));
-      if (one_w) record[vertex_record::kWindow + 3] = k == 0 ? 0.7f : p.vertex[0][7];
-      if (one_colour) std::copy_n(p.vertex[0] + 12, 4, record + 12);
-      const float no_outcode = 0;
-      record[vertex_record::kOutcode] = no_outcode;
+      if (one_w) record[vertex_record::kWindow + 3] = k == 0 ? 0.7f : first[7];
+      if (one_colour) std::copy_n(first + 12, 4, record + 12);
+      record[vertex_record::kOutcode] = 0;
     }
     // As the lists of tiles have it: what has no pixel in the tile is not named.
     if (small_coverage(p.mask, p.x, p.y, kTileX, kTileY).mask != 0) {
-      mesh.entries.push_back(kSmallEntry + static_cast<uint32_t>(mesh.primitives.size()));
+      mesh.entries.push_back(kSmallEntry + static_cast<uint32_t>(mesh.packet.small.size()));
     }
-    mesh.primitives.push_back(p);
+    mesh.packet.small.push_back(p);
   }
+  mesh.packet.ranges = {{0, 0, kPrimitives}, {1, 0, kPrimitives}};
+  mesh.packet.records = {mesh.records.data(), mesh.records.data()};
   return mesh;
 }
 
-void shade_one(const DrawRecord& draw, const SmallPrimitive& primitive, Tile& tile) {
+// The planes of a small primitive as those of one that is not.
+PrimitivePlanes planes_of(const DrawState& draw, const float* records,
+                          const SmallPrimitive& primitive) {
+  PrimitiveRecord record;
+  for (int k = 0; k < 3; ++k) {
+    record.vertex[k] = records + primitive.vertex[k] * draw.setup.layout.stride;
+  }
+  record.kind = primitive.kind;
+  record.size = primitive.size;
+  record.back_facing = primitive.back_facing;
+  PrimitivePlanes planes;
+  make_planes(draw.setup, record, planes);
+  return planes;
+}
+
+void shade_one(const DrawState& draw, const float* records, const SmallPrimitive& primitive,
+               Tile& tile) {
   const SmallCoverage small =
       small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
   Coverage coverage{};
@@ -141,9 +171,7 @@ void shade_one(const DrawRecord& draw, const SmallPrimitive& primitive, Tile& ti
     coverage.rows[small.row + j] = (small.mask >> (8 * j) & 0xff) << small.column;
   }
   coverage.last_row = kTileHeight;
-  PrimitivePlanes planes;
-  make_small_planes(draw.setup, primitive, planes);
-  shade(*draw.program, planes, coverage, tile);
+  shade(*draw.program, planes_of(draw, records, primitive), coverage, tile);
 }
 
 bool same(const OwnTile& a, const OwnTile& b) {
@@ -154,14 +182,13 @@ bool same(const OwnTile& a, const OwnTile& b) {
 
 TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
   int batched = 0;
+  const auto shader = std::make_unique<SmallShader>();
   for (uint32_t seed = 0; seed < 150; ++seed) {
     Random random(seed);
     const FragmentState state = random_fragment_state(random);
-    ProgramHolder holder;
-    holder.state = state;
-    holder.target.has_depth = holder.target.has_stencil = true;
-    DrawRecord draw;
-    draw.program = holder.program(FragmentCoverage::kCentre);
+    const Program program(state);
+    DrawState draw;
+    draw.program = program.get();
     draw.setup.inputs = fragment_inputs(*draw.program);
     draw.setup.mirror_height = 400;
     VertexState vertex;
@@ -172,7 +199,9 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     draw.setup.raster.flat_shade = random.below(5) == 0;
     draw.setup.raster.offset_fill = random.below(5) == 0;
     draw.setup.raster.offset_factor = 0.5f;
-    if (!draws_small(draw)) continue;
+    std::vector<DrawRecord> draws(1);
+    draws[0].state = &draw;
+    if (!draws_small(draws[0])) continue;
     ++batched;
     const Mesh mesh = random_mesh(random, draw.setup.layout, random.coin());
     OwnTile tile;
@@ -184,9 +213,13 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     OwnTile expected = tile;
     const OwnTile before = tile;
     for (const uint32_t entry : mesh.entries) {
-      shade_one(draw, mesh.primitives[entry & ~kSmallEntry], expected);
+      shade_one(draw, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry], expected);
     }
-    ASSERT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), mesh.entries.size());
+    // In two parts, as if they came from two packets.
+    const std::span<const uint32_t> entries = mesh.entries;
+    ASSERT_EQ(shader->add(draws, mesh.packet, entries.first(30), tile), 30u);
+    ASSERT_EQ(shader->add(draws, mesh.packet, entries.subspan(30), tile), entries.size() - 30);
+    shader->flush();
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
     if (state.depth_write && state.depth_test && !state.alpha_test) {
       EXPECT_FALSE(same(tile, before)) << "seed " << seed;
@@ -195,22 +228,29 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
   EXPECT_GT(batched, 100);
 }
 
-// A run ends where a primitive is not small, or of another draw.
-TEST(Small, TakesOneDrawAtATime) {
-  ProgramHolder holder;
-  DrawRecord draw;
-  draw.program = holder.program(FragmentCoverage::kCentre);
-  draw.setup.inputs = fragment_inputs(*draw.program);
-  draw.setup.layout = make_vertex_layout({});
+// What is taken at once ends where a primitive is not small, or of a draw with another program.
+TEST(Small, TakesOneProgramAtATime) {
+  const Program program, other;
+  DrawState states[2];
+  std::vector<DrawRecord> draws(2);
+  for (int i = 0; i < 2; ++i) {
+    states[i].program = program.get();
+    states[i].setup.inputs = fragment_inputs(*program.get());
+    states[i].setup.layout = make_vertex_layout({});
+    draws[i].state = &states[i];
+  }
   Random random(1);
-  Mesh mesh = random_mesh(random, draw.setup.layout, false);
+  Mesh mesh = random_mesh(random, states[0].setup.layout, false);
+  mesh.packet.small[mesh.entries[7] & ~kSmallEntry].range = 1;
   OwnTile tile;
   tile.x = kTileX;
   tile.y = kTileY;
-  mesh.primitives[mesh.entries[7] & ~kSmallEntry].draw = 1;
-  EXPECT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), 7u);
+  const auto shader = std::make_unique<SmallShader>();
+  EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), mesh.entries.size());
+  states[1].program = other.get();
+  EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), 7u);
   mesh.entries[4] &= ~kSmallEntry;
-  EXPECT_EQ(shade_small(draw, mesh.primitives.data(), mesh.entries, tile), 4u);
+  EXPECT_EQ(shader->add(draws, mesh.packet, mesh.entries, tile), 4u);
 }
 
 }  // namespace

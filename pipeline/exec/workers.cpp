@@ -1,8 +1,12 @@
 // The worker threads: see workers.h.
 //
-// A task is announced by a generation counter on which sleeping workers wait, and ends when the
-// count of busy workers falls to zero. The pool is never destroyed: its threads sleep until the
-// process ends, and a process that forks starts new ones in the child when it first needs them.
+// A task opens places for workers. Workers look for places; those that find one take part, and the
+// caller, when it has nothing more to do, closes the places that are left and waits for the workers
+// that took one: nobody waits for a thread that has yet to wake up. Whoever waits looks again for a
+// few microseconds before it sleeps, since waking a thread takes longer than many a frame.
+//
+// The pool is never destroyed: its threads sleep until the process ends, and a process that forks
+// starts new ones in the child when it first needs them.
 // SPDX-License-Identifier: MIT
 #include "pipeline/exec/workers.h"
 
@@ -12,6 +16,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
@@ -38,6 +43,22 @@ int configured_count() {
   return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxWorkers);
 }
 
+constexpr std::chrono::microseconds kPatience{20};
+
+// Looks until `ready` or for a short time; whether it became so.
+template <typename Ready>
+bool look_for(const Ready& ready) {
+  constexpr int kLooks = 64;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {
+    for (int i = 0; i < kLooks; ++i) {
+      if (ready()) return true;
+    }
+    std::this_thread::yield();  // to whom the thread that is waited for may have to give way
+  } while (std::chrono::steady_clock::now() < end);
+  return ready();
+}
+
 class Pool {
  public:
   Pool() : count_(configured_count()) {}
@@ -53,20 +74,25 @@ class Pool {
     start();
     task_ = task;
     context_ = context;
-    busy_.store(started_, std::memory_order_relaxed);
+    places_.store(static_cast<uint32_t>(started_) * kOpen, std::memory_order_release);
     generation_.fetch_add(1, std::memory_order_release);
     generation_.notify_all();
     task(context, 0);
-    for (int busy = busy_.load(std::memory_order_acquire); busy != 0;
-         busy = busy_.load(std::memory_order_acquire)) {
-      busy_.wait(busy, std::memory_order_acquire);
-    }
+    uint32_t places = places_.fetch_and(kTakenMask, std::memory_order_acq_rel) & kTakenMask;
+    const auto all_left = [&] {
+      places = places_.load(std::memory_order_acquire);
+      return places == 0;
+    };
+    while (places != 0 && !look_for(all_left)) places_.wait(places, std::memory_order_acquire);
   }
 
  private:
+  // places_ holds the places that are open above those that are taken.
+  static constexpr uint32_t kOpen = 1u << 16, kTakenMask = kOpen - 1;
+
   // Starts the threads that are missing. When the system refuses, fewer work.
   void start() {
-    if (refused_) {
+    if (refused_ || started_ == count_ - 1) {
       return;
     }
     // Application signal handlers must not run on a worker.
@@ -85,14 +111,24 @@ class Pool {
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 
-  void work(int worker, uint32_t seen) {
-    for (;;) {
-      generation_.wait(seen, std::memory_order_acquire);
-      seen = generation_.load(std::memory_order_acquire);
-      task_(context_, worker);
-      if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-        busy_.notify_one();
+  bool take_place() {
+    uint32_t places = places_.load(std::memory_order_relaxed);
+    while (places >= kOpen) {
+      if (places_.compare_exchange_weak(places, places - kOpen + 1, std::memory_order_acq_rel)) {
+        return true;
       }
+    }
+    return false;
+  }
+
+  void work(int worker, uint32_t seen) {
+    const auto announced = [&] { return generation_.load(std::memory_order_acquire) != seen; };
+    for (;;) {
+      if (!look_for(announced)) generation_.wait(seen, std::memory_order_acquire);
+      seen = generation_.load(std::memory_order_acquire);
+      if (!take_place()) continue;
+      task_(context_, worker);
+      if (places_.fetch_sub(1, std::memory_order_acq_rel) == 1) places_.notify_one();
     }
   }
 
@@ -103,7 +139,7 @@ class Pool {
   WorkerTask task_ = nullptr;
   void* context_ = nullptr;
   std::atomic<uint32_t> generation_{0};
-  std::atomic<int> busy_{0};
+  std::atomic<uint32_t> places_{0};
 };
 
 std::atomic<Pool*> the_pool{nullptr};
@@ -131,5 +167,14 @@ Pool& pool() {
 int worker_count() { return pool().count(); }
 
 void run_on_workers(WorkerTask task, void* context) { pool().run(task, context); }
+
+void wait_until(std::atomic<uint32_t>& value, uint32_t wanted) {
+  uint32_t now = value.load(std::memory_order_acquire);
+  const auto arrived = [&] {
+    now = value.load(std::memory_order_acquire);
+    return now == wanted;
+  };
+  while (now != wanted && !look_for(arrived)) value.wait(now, std::memory_order_acquire);
+}
 
 }  // namespace clearpipe::pipeline

@@ -6,7 +6,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
+#include <atomic>
+#include <cstdint>
 
 namespace clearpipe::pipeline {
 
@@ -16,8 +17,13 @@ using WorkerTask = void (*)(void* context, int worker);
 // How many threads work on a task.
 int worker_count();
 
-// Runs task(context, worker) on every worker and on the calling thread; returns when all have
-// returned. When another thread's task is running, the caller works alone, as worker 0.
+// Runs task(context, worker) on the calling thread and on every worker that wakes up before that
+// has returned; returns when all have. When another thread's task is running, the caller works
+// alone, as worker 0.
 void run_on_workers(WorkerTask task, void* context);
+
+// Waits until `value`, which is notified when it is so, has become `wanted`: what that takes is
+// being worked on by threads that run.
+void wait_until(std::atomic<uint32_t>& value, uint32_t wanted);
 
 }  // namespace clearpipe::pipeline

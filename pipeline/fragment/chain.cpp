@@ -83,7 +83,6 @@ using RunChainFunction = void (*)(const FragmentProgram&, const PrimitivePlanes&
 
 static RunChainFunction resolve() {
   select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return static_cast<RunChainFunction>(HWY_DYNAMIC_DISPATCH(RunChain));
 }
 

@@ -45,9 +45,13 @@ struct UnitProgram {
 using FusedFunction = void (*)(const FragmentProgram& program, const PrimitivePlanes& planes,
                                const Coverage& coverage, Tile& tile);
 
-struct FragmentProgram {
+struct UsageEntry;
+
+// A program but for its texture units, which are large and mostly not in use.
+struct ProgramBase {
   FusedFunction fused = nullptr;  // null: the chain
   bool batches_small = false;     // see small.h
+  UsageEntry* usage = nullptr;    // where its pixels count (usage.h)
   FragmentInputs inputs;
   std::array<ChainStep, 15 + 2 * kMaxTextureUnits> steps;
   int step_count = 0;
@@ -74,7 +78,10 @@ struct FragmentProgram {
   bool samples_apart = false;  // the samples are at their places, not all at the centre
   bool alpha_to_coverage = false, alpha_to_one = false;
   uint8_t sample_mask = kAllSamples;  // bit s: sample s may be covered (SAMPLE_COVERAGE)
-  std::array<UnitProgram, kMaxTextureUnits> unit;
+};
+
+struct FragmentProgram : ProgramBase {
+  std::array<UnitProgram, kMaxTextureUnits> unit;  // set for those in inputs.texture_units
 };
 
 // Runs the program over the coverage with the SIMD target in use.

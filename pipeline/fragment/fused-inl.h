@@ -41,50 +41,64 @@ class FusedTextures {
       number_[count_++] = u;
       simple_ = simple_ && program.unit[u].simple_environment;
     }
-  }
-
-  // Samples groups of a row; x and w are those of its pixels.
-  HWY_INLINE void sample(int row, uint32_t groups, VecF y, const float* x, const float* w) {
-    for (int i = 0; i < count_; ++i) unit_[i].sample(row, groups, y, x, w, batch_);
-  }
-
-  // The environments of a group that is sampled.
-  HWY_INLINE void apply(int group, Colour16& colour) {
-    if (!simple_) {
-      apply_any(group, colour);
-      return;
+    if (simple_) return;
+    for (int i = 0; i < count_; ++i) {
+      const UnitProgram& unit = program.unit[number_[i]];
+      environment_[i] = bind_environment(unit.combiner, unit.constant, batch_);
     }
+  }
+
+  bool are_simple() const { return simple_; }
+
+  // Samples halves of a row; x and w are those of its pixels.
+  HWY_INLINE void sample(int row, Halves halves, VecF y, const float* x, const float* w) {
+    for (int i = 0; i < count_; ++i) unit_[i].sample(row, halves, y, x, w, batch_);
+  }
+
+  // The simple environments of a group that is sampled.
+  HWY_INLINE void apply(int group, Colour16& colour) const {
     for (int i = 0; i < count_; ++i) {
       apply_simple_environment(p_->unit[number_[i]].combiner, unit_[i].colour(group), colour);
     }
   }
 
- private:
-  HWY_NOINLINE void apply_any(int group, Colour16& colour) {
+  // Environments of any kind, of a row: primary colours go in first, a group at a time.
+  HWY_INLINE void put_primary(int group, const Colour16& colour) {
+    const Tag16 d;
+    for (int c = 0; c < 4; ++c) {
+      hn::Store(colour.channel[c], d, batch_.primary[c] + group * kGroup);
+      hn::Store(colour.channel[c], d, batch_.previous[c] + group * kGroup);
+    }
+  }
+  HWY_NOINLINE void apply_row(int first_group, int end_group) {
     const Tag16 d;
     for (int i = 0; i < count_; ++i) {
-      const Colour16 texture = unit_[i].colour(group);
-      for (int c = 0; c < 4; ++c) {
-        hn::Store(texture.channel[c], d, batch_.texture[number_[i]][c]);
+      for (int group = first_group; group < end_group; ++group) {
+        const Colour16 texture = unit_[i].colour(group);
+        for (int c = 0; c < 4; ++c) {
+          hn::Store(texture.channel[c], d, batch_.texture[number_[i]][c] + group * kGroup);
+        }
       }
     }
+    const int first = first_group * kGroup, end = end_group * kGroup;
+    for (int i = 0; i < count_; ++i) run_environment(environment_[i], first, end, batch_.previous);
+  }
+  HWY_INLINE Colour16 result(int group) const {
+    const Tag16 d;
+    Colour16 colour;
     for (int c = 0; c < 4; ++c) {
-      hn::Store(colour.channel[c], d, batch_.primary[c]);
-      hn::Store(colour.channel[c], d, batch_.previous[c]);
+      colour.channel[c] = hn::Load(d, batch_.previous[c] + group * kGroup);
     }
-    batch_.count = kGroup;
-    for (int i = 0; i < count_; ++i) {
-      const UnitProgram& unit = p_->unit[number_[i]];
-      texture_environment(unit.combiner, unit.constant, batch_);
-    }
-    for (int c = 0; c < 4; ++c) colour.channel[c] = hn::Load(d, batch_.previous[c]);
+    return colour;
   }
 
+ private:
   const FragmentProgram* p_;
   int count_;
   bool simple_;
   int number_[kMaxTextureUnits];
   FusedUnit unit_[kMaxTextureUnits];
+  BoundEnvironment environment_[kMaxTextureUnits];
   FragmentBatch batch_;
 };
 
@@ -129,6 +143,7 @@ class FusedLoop {
         if (tests_ && !p_.alpha_test) covered = test_row(row, covered);
         if (covered == 0 || (p_.colour_mask == 0 && !p_.alpha_test)) continue;
         sample_row(row, covered);
+        if (!textures_.are_simple()) combine_row(covered);
       }
       for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
         const int group = std::countr_zero(rest);
@@ -153,6 +168,15 @@ class FusedLoop {
       groups |= (group_bits(covered, group) != 0 ? 1u : 0u) << group;
     }
     return groups;
+  }
+
+  static HWY_INLINE Halves halves_of(uint64_t covered) {
+    constexpr uint64_t kHalfBits = (uint64_t{1} << kLanes) - 1;
+    Halves halves = 0;
+    for (int half = 0; half < 2 * kRowGroups; ++half) {
+      halves |= ((covered >> (half * kLanes) & kHalfBits) != 0 ? 1u : 0u) << half;
+    }
+    return halves;
   }
 
   HWY_INLINE void set_row(int row) {
@@ -208,8 +232,7 @@ class FusedLoop {
 
   HWY_INLINE void sample_row(int row, uint64_t covered) {
     const TagF d;
-    const uint32_t groups = groups_of(covered);
-    for (uint32_t rest = groups; rest != 0; rest &= rest - 1) {
+    for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
       const int group = std::countr_zero(rest);
       const Pair<VecF> x = place(group);
       hn::Store(x.lower, d, x_ + group * kGroup);
@@ -219,7 +242,17 @@ class FusedLoop {
       hn::Store(w.lower, d, w_ + group * kGroup);
       hn::Store(w.upper, d, w_ + group * kGroup + kLanes);
     }
-    textures_.sample(row, groups, y_, x_, w_);
+    textures_.sample(row, halves_of(covered), y_, x_, w_);
+  }
+
+  HWY_INLINE void combine_row(uint64_t covered) {
+    const uint32_t groups = groups_of(covered);
+    const int first = std::countr_zero(groups), end = 32 - std::countl_zero(groups);
+    for (int group = first; group < end; ++group) {
+      const Pair<VecF> x = place(group);
+      textures_.put_primary(group, primary_colour(x, needs_w_ ? group_w(group, x) : Pair<VecF>{}));
+    }
+    textures_.apply_row(first, end);
   }
 
   HWY_INLINE void shade_group(int row, int group, uint64_t bits) {
@@ -238,8 +271,15 @@ class FusedLoop {
     }
     Pair<VecF> w{};
     if (needs_w_) w = group_w(group, x);
-    Colour16 colour = primary_colour(x, w);
-    if constexpr (kTextured) textures_.apply(group, colour);
+    Colour16 colour;
+    if constexpr (!kTextured) {
+      colour = primary_colour(x, w);
+    } else if (textures_.are_simple()) {
+      colour = primary_colour(x, w);
+      textures_.apply(group, colour);
+    } else {
+      colour = textures_.result(group);
+    }
     if (p_.fog_mode != FogMode::kNone) apply_fog(x, w, colour);
     Vec16 bytes[4];
     for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);

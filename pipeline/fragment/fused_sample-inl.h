@@ -62,13 +62,16 @@ HWY_INLINE void for_each_group(uint32_t groups, const F& function) {
   for (; groups != 0; groups &= groups - 1) function(std::countr_zero(groups));
 }
 
-// Samples the groups of a row whose bits are set.
-using RowSampler = void (*)(const SampleLevel& level, const RowCoordinates& at, uint32_t groups,
+// Which halves of the groups of a row are looked at: bit 2 g is the lower half of group g.
+using Halves = uint32_t;
+HWY_INLINE Halves halves_of_group(int group) { return Halves{3} << (2 * group); }
+
+// Samples some halves of the groups of a row.
+using RowSampler = void (*)(const SampleLevel& level, const RowCoordinates& at, Halves halves,
                             RowColours& out);
 
 using TagTexels = hn::Repartition<uint64_t, TagF>;  // two texels a lane
 using VecTexels = hn::Vec<TagTexels>;
-using TagBytes = hn::Repartition<uint8_t, TagF>;
 
 // Two texels for each pixel of half a group: of the first two pixels of the blocks, and of the
 // last.
@@ -145,19 +148,20 @@ HWY_INLINE BlockPairs<VecTexels> load_neighbours(const SampleLevel& level, VecU 
   });
 }
 
+// The texels at any indices, a lane each.
+HWY_INLINE VecU gather_texels(const SampleLevel& level, VecU index) {
+  const TagI d;
+  return hn::BitCast(TagU(), hn::GatherIndex(d, reinterpret_cast<const int32_t*>(level.texels),
+                                             hn::BitCast(d, index)));
+}
+
 // Two texels from anywhere.
-HWY_NOINLINE BlockPairs<VecTexels> load_apart(const SampleLevel& level, VecU first, VecU second) {
-  constexpr size_t kLanes = hn::MaxLanes(TagU());
-  const TagTexels d;
-  HWY_ALIGN uint32_t places[2][kLanes];
-  HWY_ALIGN uint64_t texels[2][kLanes / 2];
-  hn::Store(first, TagU(), places[0]);
-  hn::Store(second, TagU(), places[1]);
-  for (size_t i = 0; i < kLanes; ++i) {
-    texels[i / 2 % 2][i / 4 * 2 + i % 2] =
-        level.texels[places[0][i]] | static_cast<uint64_t>(level.texels[places[1][i]]) << 32;
-  }
-  return {hn::Load(d, texels[0]), hn::Load(d, texels[1])};
+HWY_INLINE BlockPairs<VecTexels> load_apart(const SampleLevel& level, VecU first, VecU second) {
+  const TagU d;
+  const TagTexels wide;
+  const VecU a = gather_texels(level, first), b = gather_texels(level, second);
+  return {hn::BitCast(wide, hn::InterleaveLower(d, a, b)),
+          hn::BitCast(wide, hn::InterleaveUpper(d, a, b))};
 }
 
 // A table of bytes for each block of 128 bits, whole, so that it is an operand in memory.
@@ -298,26 +302,38 @@ HWY_INLINE VecU sample_nearest_half(const SampleLevel& level, VecF s, VecF t) {
 }
 
 template <Filter kFilter, WrapKind kS, WrapKind kT>
-void sample_row(const SampleLevel& from, const RowCoordinates& at, uint32_t groups,
-                RowColours& out) {
+void sample_row(const SampleLevel& from, const RowCoordinates& at, Halves halves, RowColours& out) {
   const TagF d;
   const SampleLevel level = from;
-  for (; groups != 0; groups &= groups - 1) {
-    const int group = std::countr_zero(groups);
+  while (halves != 0) {
+    const int group = std::countr_zero(halves) / 2;
+    const Halves here = halves >> (2 * group);
+    halves &= ~halves_of_group(group);
     const float* s = at.s + group * kGroup;
     const float* t = at.t + group * kGroup;
-    const Pair<VecF> ss = {hn::Load(d, s), hn::Load(d, s + kGroup / 2)};
-    const Pair<VecF> tt = {hn::Load(d, t), hn::Load(d, t + kGroup / 2)};
     Colour16 colour;
     if constexpr (kFilter == Filter::kLinear) {
-      Pair<Vec16> lower, upper;
-      sample_linear_half<kS, kT>(level, ss.lower, tt.lower, lower.lower, lower.upper);
-      sample_linear_half<kS, kT>(level, ss.upper, tt.upper, upper.lower, upper.upper);
+      const Vec16 zero = hn::Zero(Tag16());
+      Pair<Vec16> lower{zero, zero}, upper{zero, zero};
+      if ((here & 1) != 0) {
+        sample_linear_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t), lower.lower, lower.upper);
+      }
+      if ((here & 2) != 0) {
+        sample_linear_half<kS, kT>(level, hn::Load(d, s + kGroup / 2), hn::Load(d, t + kGroup / 2),
+                                   upper.lower, upper.upper);
+      }
       part_channels(lower, upper, colour);
     } else {
-      unpack_pixels({sample_nearest_half<kS, kT>(level, ss.lower, tt.lower),
-                     sample_nearest_half<kS, kT>(level, ss.upper, tt.upper)},
-                    colour.channel);
+      const VecU zero = hn::Zero(TagU());
+      Pair<VecU> texels{zero, zero};
+      if ((here & 1) != 0) {
+        texels.lower = sample_nearest_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t));
+      }
+      if ((here & 2) != 0) {
+        texels.upper = sample_nearest_half<kS, kT>(level, hn::Load(d, s + kGroup / 2),
+                                                   hn::Load(d, t + kGroup / 2));
+      }
+      unpack_pixels(texels, colour.channel);
     }
     out.store(colour, group);
   }

@@ -124,18 +124,19 @@ class FusedUnit {
     if (has_levels_) levels_ = QuadLevels();
   }
 
-  // The texture's colours of groups of a row; x and w are those of the row's pixels.
-  void sample(int row, uint32_t groups, VecF y, const float* x, const float* w,
+  // The texture's colours of halves of a row; x and w are those of the row's pixels.
+  void sample(int row, Halves halves, VecF y, const float* x, const float* w,
               FragmentBatch& batch) {
-    find_coordinates(groups, y, x, w);
+    find_coordinates(halves, y, x, w);
+    const uint32_t groups = groups_with(halves);
     if (sampler_[0] == nullptr) {
       for_each_group(groups, [&](int group) HWY_ATTR { sample_any(row, group, batch); });
     } else if (has_levels_) {
       levels_.set_row(*tile_, row);
       levels_.find(*primitive_, planes_, unit_->sample, *tile_, groups);
-      sample_levels(groups);
+      sample_levels(halves, groups);
     } else {
-      sampler_[0](unit_->sample.levels[unit_->sample.first_level], at_, groups, colours_);
+      sampler_[0](unit_->sample.levels[unit_->sample.first_level], at_, halves, colours_);
     }
   }
 
@@ -149,41 +150,54 @@ class FusedUnit {
   }
 
  private:
-  HWY_INLINE void find_coordinates(uint32_t groups, VecF y, const float* x, const float* w) {
+  static HWY_INLINE uint32_t groups_with(Halves halves) {
+    uint32_t groups = 0;
+    for (int group = 0; group < kRowGroups; ++group) {
+      groups |= ((halves & halves_of_group(group)) != 0 ? 1u : 0u) << group;
+    }
+    return groups;
+  }
+
+  // The halves of some groups.
+  static HWY_INLINE Halves halves_in(Halves halves, uint32_t groups) {
+    Halves wanted = 0;
+    for (; groups != 0; groups &= groups - 1) wanted |= halves_of_group(std::countr_zero(groups));
+    return halves & wanted;
+  }
+
+  HWY_INLINE void find_coordinates(Halves halves, VecF y, const float* x, const float* w) {
     const TagF d;
     const RowPlane s(planes_[0], y), t(planes_[1], y), q(planes_[3], y);
-    for (; groups != 0; groups &= groups - 1) {
-      const int first = std::countr_zero(groups) * kGroup;
-      for (int i = first; i < first + kGroup; i += kGroup / 2) {
-        const VecF xs = hn::Load(d, x + i);
-        VecF ss = s.at(xs), tt = t.at(xs);
-        if (!q_is_one_) {  // a division by one changes nothing
-          const VecF reciprocal_q =
-              q_is_inv_w_ ? hn::Load(d, w + i) : hn::Div(hn::Set(d, 1.0f), q.at(xs));
-          ss = hn::Mul(ss, reciprocal_q);
-          tt = hn::Mul(tt, reciprocal_q);
-        }
-        hn::Store(ss, d, at_.s + i);
-        hn::Store(tt, d, at_.t + i);
+    for (; halves != 0; halves &= halves - 1) {
+      const int i = std::countr_zero(halves) * (kGroup / 2);
+      const VecF xs = hn::Load(d, x + i);
+      VecF ss = s.at(xs), tt = t.at(xs);
+      if (!q_is_one_) {  // a division by one changes nothing
+        const VecF reciprocal_q =
+            q_is_inv_w_ ? hn::Load(d, w + i) : hn::Div(hn::Set(d, 1.0f), q.at(xs));
+        ss = hn::Mul(ss, reciprocal_q);
+        tt = hn::Mul(tt, reciprocal_q);
       }
+      hn::Store(ss, d, at_.s + i);
+      hn::Store(tt, d, at_.t + i);
     }
   }
 
-  HWY_INLINE void sample_key(int key, uint32_t groups, RowColours& out) const {
+  HWY_INLINE void sample_key(int key, Halves halves, RowColours& out) const {
     const SampleState& state = unit_->sample;
-    sampler_[key & 1](state.levels[state.first_level + (key >> 1)], at_, groups, out);
+    sampler_[key & 1](state.levels[state.first_level + (key >> 1)], at_, halves, out);
   }
 
   // Levels and filters that follow each quad's level of detail. Most rows have one.
-  HWY_INLINE void sample_levels(uint32_t groups) {
+  HWY_INLINE void sample_levels(Halves halves, uint32_t groups) {
     const int key = levels_.first_key(std::countr_zero(groups));
     uint32_t same = 0, between = 0;
     for_each_group(groups, [&](int group) HWY_ATTR {
       if (levels_.is_one_key(group, key)) same |= 1u << group;
       if (!hn::AllFalse(TagI(), levels_.between_levels(group))) between |= 1u << group;
     });
-    if (same != 0) sample_key(key, same, colours_);
-    if ((same & between) != 0) sample_key(key + 2, same & between, next_);
+    if (same != 0) sample_key(key, halves_in(halves, same), colours_);
+    if ((same & between) != 0) sample_key(key + 2, halves_in(halves, same & between), next_);
     for_each_group(groups & ~same, [&](int group) HWY_ATTR {
       const VecI keys = levels_.keys(group);
       sample_keys(group, 0, hn::Eq(keys, keys), colours_);
@@ -206,7 +220,7 @@ class FusedUnit {
     hn::Store(keys, d, key_of);
     Colour16 result = out.load(group);
     for (intptr_t i = hn::FindFirstTrue(d, wanted); i >= 0; i = hn::FindFirstTrue(d, wanted)) {
-      sample_key(key_of[i] + step, 1u << group, out);
+      sample_key(key_of[i] + step, halves_of_group(group), out);
       const Colour16 colour = out.load(group);
       const MaskI mine = hn::Eq(keys, hn::Set(d, key_of[i]));
       const auto pixels = hn::MaskFromVec(QuadLevels::spread(hn::VecFromMask(d, mine)));

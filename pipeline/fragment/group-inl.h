@@ -19,7 +19,6 @@
 #include <hwy/highway.h>
 
 #include "pipeline/fragment/colour-inl.h"
-#include "pipeline/fragment/sample_colours-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -32,6 +31,7 @@ using TagI = hn::RebindToSigned<TagF>;
 using TagU = hn::RebindToUnsigned<TagF>;
 using Tag16 = hn::Repartition<int16_t, TagF>;
 using TagU16 = hn::RebindToUnsigned<Tag16>;
+using TagBytes = hn::Repartition<uint8_t, TagF>;
 using VecF = hn::Vec<TagF>;
 using VecI = hn::Vec<TagI>;
 using VecU = hn::Vec<TagU>;
@@ -70,29 +70,27 @@ struct Colour16 {
   Vec16 channel[4];
 };
 
-// Colours of both halves in the sampler's form (pairs of channels) as a group's.
-HWY_INLINE Colour16 narrow_sample(const sampling::HWY_NAMESPACE::Colours& lower,
-                                  const sampling::HWY_NAMESPACE::Colours& upper) {
-  const TagI d;
-  const VecI low = hn::Set(d, 0xffff);
-  const VecI rb0 = hn::BitCast(d, lower.rb), rb1 = hn::BitCast(d, upper.rb);
-  const VecI ga0 = hn::BitCast(d, lower.ga), ga1 = hn::BitCast(d, upper.ga);
-  return {{narrow({hn::And(rb0, low), hn::And(rb1, low)}),
-           narrow({hn::And(ga0, low), hn::And(ga1, low)}),
-           narrow({hn::ShiftRight<16>(rb0), hn::ShiftRight<16>(rb1)}),
-           narrow({hn::ShiftRight<16>(ga0), hn::ShiftRight<16>(ga1)})}};
-}
-
-// 8-bit channels of packed pixels as a group's.
+// 8-bit channels of packed pixels as a group's. Of each block, first the bytes of a channel come
+// together, then those of both halves:
+//   r0 r1 r2 r3 g0 .. b0 .. a0 ..   ->   r0 r1 r2 r3 R0 R1 R2 R3 g0 ..   and   b0 ..
 HWY_INLINE void unpack_pixels(const Pair<VecU>& pixels, Vec16 out[4]) {
-  const TagI d;
-  const VecI byte = hn::Set(d, 0xff);
-  const VecI a = hn::BitCast(d, pixels.lower), b = hn::BitCast(d, pixels.upper);
-  out[0] = narrow({hn::And(a, byte), hn::And(b, byte)});
-  out[1] = narrow({hn::And(hn::ShiftRight<8>(a), byte), hn::And(hn::ShiftRight<8>(b), byte)});
-  out[2] = narrow({hn::And(hn::ShiftRight<16>(a), byte), hn::And(hn::ShiftRight<16>(b), byte)});
-  out[3] = narrow({hn::BitCast(d, hn::ShiftRight<24>(pixels.lower)),
-                   hn::BitCast(d, hn::ShiftRight<24>(pixels.upper))});
+  const TagBytes d8;
+  const Tag16 d16;
+  const TagU d;
+  alignas(16) static constexpr uint8_t kByChannel[16] = {0, 4, 8,  12, 1, 5, 9,  13,
+                                                         2, 6, 10, 14, 3, 7, 11, 15};
+  const auto table = hn::LoadDup128(d8, kByChannel);
+  const auto by_channel = [&](VecU half) HWY_ATTR {
+    return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(d8, half), table));
+  };
+  const VecU lower = by_channel(pixels.lower), upper = by_channel(pixels.upper);
+  const auto rg = hn::BitCast(d8, hn::InterleaveLower(d, lower, upper));
+  const auto ba = hn::BitCast(d8, hn::InterleaveUpper(d, lower, upper));
+  const auto zero = hn::Zero(d8);
+  out[0] = hn::BitCast(d16, hn::InterleaveLower(d8, rg, zero));
+  out[1] = hn::BitCast(d16, hn::InterleaveUpper(d8, rg, zero));
+  out[2] = hn::BitCast(d16, hn::InterleaveLower(d8, ba, zero));
+  out[3] = hn::BitCast(d16, hn::InterleaveUpper(d8, ba, zero));
 }
 
 // The inverse: 8-bit values in 16-bit lanes as packed pixels.

@@ -70,10 +70,16 @@ struct FragmentTarget {
   bool multisampled = false;  // then the program is for shade_samples
   bool srgb = false;          // colours are written sRGB-encoded
   ColourFormat format = ColourFormat::kRgba8;
+
+  bool operator==(const FragmentTarget&) const = default;
 };
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage);
 void destroy_fragment_program(FragmentProgram* program);
+
+// The same in the memory of a program that is no longer needed.
+void remake_fragment_program(FragmentProgram& program, const FragmentState& state,
+                             const FragmentTarget& target, FragmentCoverage coverage);
 
 // Which varyings the program reads, so that setup computes no other plane.
 struct FragmentInputs {

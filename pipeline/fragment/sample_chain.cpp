@@ -194,7 +194,6 @@ using RunSampleChainFunction = void (*)(const FragmentProgram&, const PrimitiveP
 
 static RunSampleChainFunction resolve() {
   select_simd_target();
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return static_cast<RunSampleChainFunction>(HWY_DYNAMIC_DISPATCH(RunSampleChain));
 }
 

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/fused.h"
 #include "pipeline/fragment/small.h"
+#include "pipeline/fragment/usage.h"
 
 namespace clearpipe::pipeline {
 
@@ -143,7 +145,15 @@ void select_stages(const FragmentState& state, FragmentCoverage coverage, bool s
 
 FragmentProgram* make_fragment_program(const FragmentState& state, const FragmentTarget& target,
                                        FragmentCoverage coverage) {
-  auto* program = new FragmentProgram;
+  auto program = std::make_unique<FragmentProgram>();
+  remake_fragment_program(*program, state, target, coverage);
+  return program.release();
+}
+
+void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
+                             const FragmentTarget& target, FragmentCoverage coverage) {
+  FragmentProgram* program = &made;
+  static_cast<ProgramBase&>(*program) = {};
   program->depth_test = state.depth_test && target.has_depth;
   program->depth_write = program->depth_test && state.depth_write;
   program->depth_func = state.depth_func;
@@ -179,7 +189,7 @@ FragmentProgram* make_fragment_program(const FragmentState& state, const Fragmen
     select_fused(*program);
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
-  return program;
+  program->usage = usage_of(*program);
 }
 
 bool batches_small(const FragmentProgram& program) { return program.batches_small; }

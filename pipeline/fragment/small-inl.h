@@ -45,7 +45,11 @@ inline constexpr std::array<uint64_t, 256> kBitPlaces = [] {
 class SmallBatch {
  public:
   SmallBatch(const FragmentProgram& program, Tile& tile)
-      : program_(program), tile_(tile), depth_state_(depth_state(program)) {
+      : program_(program),
+        tile_(tile),
+        depth_state_(depth_state(program)),
+        replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
+                  !program.has_logic_op) {
     batch_.count = 0;
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program.inputs.texture_units >> unit & 1) == 0) continue;
@@ -54,27 +58,17 @@ class SmallBatch {
   }
 
   // Takes the pixels of one primitive. Its planes are only read during the call.
-  HWY_INLINE void add(const PrimitivePlanes& planes, const SmallCoverage& coverage) {
+  HWY_INLINE void add(const SmallPlanes& planes, const SmallCoverage& coverage) {
     const int count = std::popcount(coverage.mask);
     constexpr int kRoom = kBatchSize - static_cast<int>(hn::MaxLanes(TagF())) + 1;
-    if (batch_.count + count > kRoom || overlaps(coverage)) flush();
-    note(coverage);
-    list_pixels(coverage.mask);
-    const TagF d;
-    const TagI di;
-    const hn::Rebind<uint8_t, TagI> d8;
-    const VecF to_x = hn::Set(d, 0.5f - planes.x_ref), to_y = hn::Set(d, 0.5f - planes.y_ref);
-    for (int i = 0; i < count; i += kLanes) {
-      const VecI place = hn::PromoteTo(di, hn::LoadU(d8, places_ + i));
-      const VecI column = hn::Add(hn::And(place, hn::Set(di, 7)), hn::Set(di, coverage.column));
-      const VecI row = hn::Add(hn::ShiftRight<3>(place), hn::Set(di, coverage.row));
-      const int at = batch_.count + i;
-      hn::StoreU(hn::Add(hn::ShiftLeft<6>(row), column), di, offset_ + at);
-      static_assert(kTileWidth == 1 << 6);
-      const VecF x = hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))), to_x);
-      const VecF y = hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))), to_y);
-      evaluate_varyings(planes, x, y, at);
+    if (batch_.count + count > kRoom) flush();
+    if (!note(coverage)) {
+      flush();
+      note(coverage);
     }
+    list_pixels(coverage.mask);
+    add_vector(planes, coverage, 0);
+    if (count > kLanes) add_rest(planes, coverage, count);
     if (needs_lod_) add_level_of_detail(planes, count);
     batch_.count += count;
   }
@@ -87,7 +81,7 @@ class SmallBatch {
     if (program_.early_depth) any = test();
     if (any && program_.step_count != 0) shade();
     batch_.count = 0;
-    std::fill_n(pending_, kTileHeight, uint64_t{0});
+    std::fill_n(pending_, kSquares, uint64_t{0});
   }
 
  private:
@@ -96,96 +90,173 @@ class SmallBatch {
   using VecF = hn::Vec<TagF>;
   using VecI = hn::Vec<TagI>;
   static constexpr int kLanes = static_cast<int>(hn::MaxLanes(TagF()));
+  // Squares of a row, with one more at its end, and rows with one more above.
+  static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
+  static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
 
-  HWY_INLINE bool overlaps(const SmallCoverage& coverage) const {
-    uint64_t common = 0;
-    int row = coverage.row;
-    for (uint64_t mask = coverage.mask; mask != 0; mask >>= kSmallSide, ++row) {
-      common |= pending_[row] & (mask & 0xff) << coverage.column;
-    }
-    return common != 0;
-  }
-
-  HWY_INLINE void note(const SmallCoverage& coverage) {
-    int row = coverage.row;
-    for (uint64_t mask = coverage.mask; mask != 0; mask >>= kSmallSide, ++row) {
-      pending_[row] |= (mask & 0xff) << coverage.column;
-    }
-  }
-
-  // The places of the mask's set bits into places_.
-  HWY_INLINE void list_pixels(uint64_t mask) {
-    uint8_t* out = places_;
-    for (uint64_t first = 0; mask != 0; mask >>= kSmallSide, first += 0x0808080808080808u) {
-      const uint64_t places = kBitPlaces[mask & 0xff] + first;
-      std::memcpy(out, &places, sizeof(places));
-      out += std::popcount(mask & 0xff);
-    }
-  }
-
-  HWY_INLINE void evaluate_varyings(const PrimitivePlanes& planes, VecF x, VecF y, int at) {
+  // A vector of the listed pixels from `first` on.
+  HWY_INLINE void add_vector(const SmallPlanes& planes, const SmallCoverage& coverage, int first) {
     const TagF d;
-    const FragmentInputs& inputs = program_.inputs;
-    if (inputs.depth) hn::StoreU(evaluate(d, planes.depth, x, y), d, depth_ + at);
-    if (!inputs.colour) return;
-    VecF w = hn::Set(d, 1.0f);
-    if (planes.perspective) w = hn::Div(w, evaluate(d, planes.inv_w, x, y));
-    const bool divided = planes.perspective && !planes.flat_colour;
-    for (int c = 0; c < 4; ++c) {
-      VecF value = evaluate(d, planes.colour[c], x, y);
-      if (divided) value = hn::Mul(value, w);
-      hn::StoreU(value, d, colour_[c] + at);
-    }
-    if (inputs.fog) {
-      VecF value = evaluate(d, planes.fog, x, y);
-      if (planes.perspective) value = hn::Mul(value, w);
-      hn::StoreU(value, d, fog_ + at);
-    }
-    for (int unit = 0; unit < kSmallUnits; ++unit) {
-      if ((inputs.texture_units >> unit & 1) == 0) continue;
-      VecF s, t;
-      coordinate_at(d, planes.texture[unit], x, y, s, t);
-      hn::StoreU(s, d, coordinates_[unit].s + at);
-      hn::StoreU(t, d, coordinates_[unit].t + at);
-    }
+    const TagI di;
+    const hn::Rebind<uint8_t, TagI> d8;
+    static_assert(kTileWidth == 1 << 6 && kSmallSide == 1 << 3);
+    const VecI place = hn::PromoteTo(di, hn::LoadU(d8, places_ + first));
+    const VecI column = hn::Add(hn::And(place, hn::Set(di, 7)), hn::Set(di, coverage.column));
+    const VecI row = hn::Add(hn::ShiftRight<3>(place), hn::Set(di, coverage.row));
+    const int at = batch_.count + first;
+    hn::StoreU(hn::Add(hn::ShiftLeft<6>(row), column), di, offset_ + at);
+    // From whole numbers, as the chain has it.
+    const VecF x = hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))),
+                           hn::Set(d, 0.5f - planes.x_ref));
+    const VecF y = hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))),
+                           hn::Set(d, 0.5f - planes.y_ref));
+    evaluate_varyings(planes, x, y, at);
   }
 
-  // Of the fragments that are being added; their offsets are noted already.
-  void add_level_of_detail(const PrimitivePlanes& planes, int count) {
-    const int at = batch_.count;
-    lod_batch_.count = count;
-    for (int i = 0; i < count; ++i) {
-      lod_batch_.offset[i] = static_cast<uint16_t>(offset_[at + i]);
-    }
-    for (int unit = 0; unit < kSmallUnits; ++unit) {
-      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
-      const SampleState& sample = program_.unit[unit].sample;
-      if (!sample.needs_lod) continue;
-      level_of_detail(planes, planes.texture[unit], sample, tile_, lod_batch_);
-      UnitCoordinates& to = coordinates_[unit];
-      std::copy_n(lod_batch_.lod, count, to.lod + at);
-      if (sample.sampler.max_anisotropy > 1) {
-        std::copy_n(lod_batch_.probes, count, to.probes + at);
-        std::copy_n(lod_batch_.along_s, count, to.along_s + at);
-        std::copy_n(lod_batch_.along_t, count, to.along_t + at);
+  // All but the first vector, apart, so that it keeps no register from the first.
+  HWY_NOINLINE void add_rest(const SmallPlanes& planes, const SmallCoverage& coverage, int count) {
+    for (int i = kLanes; i < count; i += kLanes) add_vector(planes, coverage, i);
+  }
+
+  // Notes the pixels of a primitive; false, and nothing is noted, when one is in the batch already.
+  // pending_ has the tile in squares of 8x8 as masks have them; the mask lies across four of them.
+  HWY_INLINE bool note(const SmallCoverage& coverage) {
+    constexpr uint64_t kEachRow = 0x0101010101010101u;
+    const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
+    const uint64_t mask = coverage.mask;
+    const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
+    const uint64_t left = mask << dx & ~right_columns;
+    const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
+    uint64_t* square =
+        pending_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
+    // Rows that move on to the next square: all 64 bits when dy is 0, so in two steps.
+    const auto above = [dy](uint64_t m) { return m >> (56 - kSmallSide * dy) >> kSmallSide; };
+    const uint64_t parts[4] = {left << kSmallSide * dy, right << kSmallSide * dy, above(left),
+                               above(right)};
+    uint64_t* const place[4] = {square, square + 1, square + kSquareStride,
+                                square + kSquareStride + 1};
+    uint64_t common = 0;
+    for (int i = 0; i < 4; ++i) common |= *place[i] & parts[i];
+    if (common != 0) return false;
+    for (int i = 0; i < 4; ++i) *place[i] |= parts[i];
+    return true;
+  }
+
+  // The places of the mask's set bits into places_. Where a row's begin is the number of bits in
+  // the rows before it.
+  HWY_INLINE void list_pixels(uint64_t mask) {
+    constexpr uint64_t kEachRow = 0x0101010101010101u;
+    uint64_t begin = mask - (mask >> 1 & 0x5555555555555555u);
+    begin = (begin & 0x3333333333333333u) + (begin >> 2 & 0x3333333333333333u);
+    begin = ((begin + (begin >> 4)) & 0x0f0f0f0f0f0f0f0fu) * kEachRow << 8;
+    for (uint64_t rows = mask, row = 0; rows != 0; rows >>= 32, begin >>= 32, row += 4) {
+      for (int j = 0; j < 4; ++j) {
+        const uint64_t places =
+            kBitPlaces[rows >> 8 * j & 0xff] + (row + j) * kSmallSide * kEachRow;
+        std::memcpy(places_ + (begin >> 8 * j & 0xff), &places, sizeof(places));
       }
     }
   }
 
-  // Stages work on whole vectors: the places behind the last fragment are dead, and what they hold
-  // was a fragment's.
-  void pad() {
-    const int end = std::min((batch_.count + 63) / 64 * 64, kBatchSize);
-    std::fill_n(batch_.live, batch_.count, int16_t{-1});
-    std::fill(batch_.live + batch_.count, batch_.live + end, int16_t{0});
-    std::fill(offset_ + batch_.count, offset_ + end, offset_[0]);
+  HWY_INLINE void evaluate_varyings(const SmallPlanes& planes, VecF x, VecF y, int at) {
+    const TagF d;
+    const FragmentInputs& inputs = program_.inputs;
+    if (inputs.depth) hn::StoreU(value(planes.window, kDepthPlane, x, y), d, depth_ + at);
+    if (!inputs.colour) return;
+    VecF w = hn::Set(d, 1.0f);
+    if (planes.perspective) w = hn::Div(w, value(planes.window, kInverseWPlane, x, y));
+    const bool divided = planes.perspective && !planes.flat_colour;
+    for (int c = 0; c < 4; ++c) {
+      VecF colour = value(planes.colour, c, x, y);
+      if (divided) colour = hn::Mul(colour, w);
+      hn::StoreU(colour, d, colour_[c] + at);
+    }
+    if (inputs.fog) {
+      VecF coordinate = value(planes.fog_group, kFogPlane, x, y);
+      if (planes.perspective) coordinate = hn::Mul(coordinate, w);
+      hn::StoreU(coordinate, d, fog_ + at);
+    }
+    for (int unit = 0; unit < kSmallUnits; ++unit) {
+      if ((inputs.texture_units >> unit & 1) == 0) continue;
+      const SmallPlanes::Four& texture = planes.texture[unit];
+      const VecF q = hn::Div(hn::Set(d, 1.0f), value(texture, 3, x, y));
+      hn::StoreU(hn::Mul(value(texture, 0, x, y), q), d, coordinates_[unit].s + at);
+      hn::StoreU(hn::Mul(value(texture, 1, x, y), q), d, coordinates_[unit].t + at);
+    }
   }
 
-  void gather(const uint32_t* plane, uint32_t* values) const {
-    for (int i = 0; i < batch_.count; ++i) values[i] = plane[offset_[i]];
+  // `evaluate` of one plane of four.
+  static HWY_INLINE VecF value(const SmallPlanes::Four& four, int i, VecF x, VecF y) {
+    return evaluate(TagF(), four.plane(i), x, y);
   }
-  void scatter(const uint32_t* values, uint32_t* plane) const {
-    for (int i = 0; i < batch_.count; ++i) plane[offset_[i]] = values[i];
+
+  // Of the fragments that are being added; their offsets are noted already.
+  void add_level_of_detail(const SmallPlanes& planes, int count) {
+    const int at = batch_.count;
+    PrimitivePlanes reference;
+    reference.x_ref = planes.x_ref;
+    reference.y_ref = planes.y_ref;
+    // The batch's own arrays are free until a unit samples.
+    batch_.count = count;
+    for (int i = 0; i < count; ++i) batch_.offset[i] = static_cast<uint16_t>(offset_[at + i]);
+    for (int unit = 0; unit < kSmallUnits; ++unit) {
+      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
+      const SampleState& sample = program_.unit[unit].sample;
+      if (!sample.needs_lod) continue;
+      Plane texture[4];
+      for (int i = 0; i < 4; ++i) texture[i] = planes.texture[unit].plane(i);
+      level_of_detail(reference, texture, sample, tile_, batch_);
+      UnitCoordinates& to = coordinates_[unit];
+      std::copy_n(batch_.lod, count, to.lod + at);
+      if (sample.sampler.max_anisotropy > 1) {
+        std::copy_n(batch_.probes, count, to.probes + at);
+        std::copy_n(batch_.along_s, count, to.along_s + at);
+        std::copy_n(batch_.along_t, count, to.along_t + at);
+      }
+    }
+    batch_.count = at;
+  }
+
+  // Stages work on whole vectors: the places behind the last fragment are dead.
+  void pad() {
+    padded_ = std::min((batch_.count + 63) / 64 * 64, kBatchSize);
+    std::fill_n(batch_.live, batch_.count, int16_t{-1});
+    std::fill(batch_.live + batch_.count, batch_.live + padded_, int16_t{0});
+  }
+
+  // The dead places get what the first fragment has.
+  void copy_padded(const float* from, float* to) const {
+    std::copy_n(from, batch_.count, to);
+    std::fill(to + batch_.count, to + padded_, from[0]);
+  }
+
+  // Calls f for each fragment.
+  template <class F>
+  HWY_INLINE void for_each_fragment(const F& f) const {
+    const int count = batch_.count;
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {
+      f(i);
+      f(i + 1);
+      f(i + 2);
+      f(i + 3);
+    }
+    for (; i < count; ++i) f(i);
+  }
+
+  void gather(const uint32_t* HWY_RESTRICT plane, uint32_t* HWY_RESTRICT values) const {
+    for_each_fragment([=, this](int i) { values[i] = plane[offset_[i]]; });
+  }
+  void scatter(const uint32_t* HWY_RESTRICT values, uint32_t* HWY_RESTRICT plane) const {
+    for_each_fragment([=, this](int i) { plane[offset_[i]] = values[i]; });
+  }
+  // Of the fragments that live. The others go where nobody looks, so that there is no branch.
+  void scatter_live(const uint32_t* values, uint32_t* plane) const {
+    uint32_t nowhere;
+    for_each_fragment([&, values, plane](int i) {
+      uint32_t* to = batch_.live[i] != 0 ? plane + offset_[i] : &nowhere;
+      *to = values[i];
+    });
   }
 
   // The depth and stencil tests (4.1.5, 4.1.6) on the tile's values; false when no fragment lives.
@@ -217,7 +288,7 @@ class SmallBatch {
 
   void shade() {
     const bool writes = program_.colour_mask != 0;
-    if (writes) gather(tile_.colour, batch_.stored_colour);
+    if (writes && !replaces_) gather(tile_.colour, batch_.stored_colour);
     static const PrimitivePlanes kNoPlanes;
     const StageContext context{program_, kNoPlanes, tile_};
     for (int i = 0; i < program_.step_count; ++i) {
@@ -241,7 +312,9 @@ class SmallBatch {
           run_stage(context, step, batch_);
       }
     }
-    if (writes) {
+    if (replaces_) {
+      scatter_live(batch_.colour, tile_.colour);
+    } else if (writes) {
       mask_stage(program_.colour_mask, batch_, batch_.live);
       scatter(batch_.colour, tile_.colour);
     }
@@ -263,14 +336,14 @@ class SmallBatch {
   void sample(int unit) {
     const UnitProgram& u = program_.unit[unit];
     const UnitCoordinates& from = coordinates_[unit];
-    std::copy_n(from.s, kBatchSize, batch_.s);
-    std::copy_n(from.t, kBatchSize, batch_.t);
+    copy_padded(from.s, batch_.s);
+    copy_padded(from.t, batch_.t);
     if (u.sample.needs_lod) {
-      std::copy_n(from.lod, kBatchSize, batch_.lod);
+      copy_padded(from.lod, batch_.lod);
       if (u.sample.sampler.max_anisotropy > 1) {
-        std::copy_n(from.probes, kBatchSize, batch_.probes);
-        std::copy_n(from.along_s, kBatchSize, batch_.along_s);
-        std::copy_n(from.along_t, kBatchSize, batch_.along_t);
+        copy_padded(from.probes, batch_.probes);
+        copy_padded(from.along_s, batch_.along_s);
+        copy_padded(from.along_t, batch_.along_t);
       }
     }
     u.sample_function(u.sample, batch_, unit);
@@ -298,13 +371,15 @@ class SmallBatch {
   const FragmentProgram& program_;
   Tile& tile_;
   const NarrowDepthState depth_state_;
+  const bool replaces_;  // what lives replaces the whole pixel
   bool needs_lod_ = false;
+  int padded_ = 0;
   alignas(8) uint8_t places_[kSmallSide * kSmallSide + 64];  // a vector may be read at the last
-  uint64_t pending_[kTileHeight] = {};                       // the pixels in the batch, by row
+  uint64_t pending_[kSquares] = {};                          // the pixels in the batch
   alignas(64) int32_t offset_[kBatchSize];                   // index into the tile's planes
-  alignas(64) float depth_[kBatchSize] = {}, fog_[kBatchSize] = {}, colour_[4][kBatchSize] = {};
-  UnitCoordinates coordinates_[kSmallUnits] = {};
-  FragmentBatch batch_, lod_batch_;
+  alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
+  UnitCoordinates coordinates_[kSmallUnits];
+  FragmentBatch batch_;
 };
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE

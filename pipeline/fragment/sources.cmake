@@ -5,6 +5,7 @@ target_sources(clearpipe_pipeline PRIVATE
   ${CMAKE_CURRENT_LIST_DIR}/fused.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sample_chain.cpp
   ${CMAKE_CURRENT_LIST_DIR}/select.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/usage.cpp
   ${CMAKE_CURRENT_LIST_DIR}/write_srgb.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../simd.cpp)
 include(${CMAKE_CURRENT_LIST_DIR}/sample.cmake)

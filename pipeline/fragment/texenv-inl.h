@@ -56,6 +56,18 @@ inline CombinerInput combiner_input(const CombineArgument& argument, int channel
   return input;
 }
 
+constexpr int argument_count(Combine function) {
+  switch (function) {
+    case Combine::kReplace:
+      return 1;
+    case Combine::kInterpolate:
+    case Combine::kModulateAdd:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
 // Arg - 1/2.
 template <class D, class V>
 HWY_INLINE V centred(D d, V v) {
@@ -92,79 +104,102 @@ HWY_INLINE V scale_and_clamp(D d, V v, int scale_log2) {
 }
 
 template <Combine kCombine>
-void combine_channel(const CombinerInput* in, int scale_log2, int count, int16_t* out) {
+void combine_channel(const CombinerInput* in, int scale_log2, int first, int end, int16_t* out) {
   const hn::ScalableTag<int16_t> d;
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const auto v = combine<kCombine>(d, in[0].load(d, i), in[1].load(d, i), in[2].load(d, i));
-    hn::Store(scale_and_clamp(d, v, scale_log2), d, out + i);
+  constexpr int kArguments = argument_count(kCombine);
+  const CombinerInput a0 = in[0], a1 = in[kArguments > 1 ? 1 : 0], a2 = in[kArguments > 2 ? 2 : 0];
+  for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
+    const auto v0 = a0.load(d, i);
+    const auto v1 = kArguments > 1 ? a1.load(d, i) : v0;
+    const auto v2 = kArguments > 2 ? a2.load(d, i) : v0;
+    hn::Store(scale_and_clamp(d, combine<kCombine>(d, v0, v1, v2), scale_log2), d, out + i);
   }
+}
+
+// A unit's environment with the places of its arguments in a batch.
+struct BoundEnvironment {
+  Combine rgb_function, alpha_function;
+  uint8_t rgb_scale_log2, alpha_scale_log2;
+  CombinerInput rgb[3][3], alpha[3];
+};
+
+inline BoundEnvironment bind_environment(const Combiner& combiner, const int16_t* constant,
+                                         const FragmentBatch& batch) {
+  BoundEnvironment e;
+  e.rgb_function = combiner.rgb;
+  e.alpha_function = combiner.alpha;
+  e.rgb_scale_log2 = combiner.rgb_scale_log2;
+  e.alpha_scale_log2 = combiner.alpha_scale_log2;
+  for (int k = 0; k < 3; ++k) {
+    e.alpha[k] = combiner_input(combiner.alpha_argument[k], 3, constant, batch);
+    for (int c = 0; c < 3; ++c) {
+      e.rgb[c][k] = combiner_input(combiner.rgb_argument[k], c, constant, batch);
+    }
+  }
+  return e;
 }
 
 // 4 * ((r0-1/2)(r1-1/2) + (g0-1/2)(g1-1/2) + (b0-1/2)(b1-1/2)) in every channel written, before the
 // scales, of which alpha has its own.
-inline void combine_dot3(const CombinerInput in[3][3], const Combiner& combiner, int count,
-                         int channels, int16_t (*out)[kBatchSize]) {
+inline void combine_dot3(const BoundEnvironment& e, int first, int end, int channels,
+                         int16_t (*out)[kBatchSize]) {
   const hn::ScalableTag<int16_t> d;
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+  for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
     auto sum = hn::Zero(d);
     for (int c = 0; c < 3; ++c) {
-      sum =
-          hn::Add(sum, multiply(centred(d, in[c][0].load(d, i)), centred(d, in[c][1].load(d, i))));
+      sum = hn::Add(
+          sum, multiply(centred(d, e.rgb[c][0].load(d, i)), centred(d, e.rgb[c][1].load(d, i))));
     }
     const auto v = scale_and_clamp(d, sum, 2);
     for (int c = 0; c < channels; ++c) {
-      const int scale_log2 = c == 3 ? combiner.alpha_scale_log2 : combiner.rgb_scale_log2;
+      const int scale_log2 = c == 3 ? e.alpha_scale_log2 : e.rgb_scale_log2;
       hn::Store(scale_and_clamp(d, v, scale_log2), d, out[c] + i);
     }
   }
 }
 
 inline void combine_channel_any(Combine function, const CombinerInput* in, int scale_log2,
-                                int count, int16_t* out) {
+                                int first, int end, int16_t* out) {
   switch (function) {
     case Combine::kReplace:
-      return combine_channel<Combine::kReplace>(in, scale_log2, count, out);
+      return combine_channel<Combine::kReplace>(in, scale_log2, first, end, out);
     case Combine::kModulate:
-      return combine_channel<Combine::kModulate>(in, scale_log2, count, out);
+      return combine_channel<Combine::kModulate>(in, scale_log2, first, end, out);
     case Combine::kAdd:
-      return combine_channel<Combine::kAdd>(in, scale_log2, count, out);
+      return combine_channel<Combine::kAdd>(in, scale_log2, first, end, out);
     case Combine::kAddSigned:
-      return combine_channel<Combine::kAddSigned>(in, scale_log2, count, out);
+      return combine_channel<Combine::kAddSigned>(in, scale_log2, first, end, out);
     case Combine::kInterpolate:
-      return combine_channel<Combine::kInterpolate>(in, scale_log2, count, out);
+      return combine_channel<Combine::kInterpolate>(in, scale_log2, first, end, out);
     case Combine::kModulateAdd:
-      return combine_channel<Combine::kModulateAdd>(in, scale_log2, count, out);
+      return combine_channel<Combine::kModulateAdd>(in, scale_log2, first, end, out);
     default:
-      return combine_channel<Combine::kSubtract>(in, scale_log2, count, out);
+      return combine_channel<Combine::kSubtract>(in, scale_log2, first, end, out);
   }
 }
 
-// The unit's environment: batch.previous becomes its result. Colours come before alpha, because
-// they may read the previous alpha.
-inline void texture_environment(const Combiner& combiner, const int16_t* constant,
-                                FragmentBatch& batch) {
-  CombinerInput alpha[3];
-  CombinerInput rgb[3][3];
-  for (int k = 0; k < 3; ++k) {
-    alpha[k] = combiner_input(combiner.alpha_argument[k], 3, constant, batch);
-    for (int c = 0; c < 3; ++c) {
-      rgb[c][k] = combiner_input(combiner.rgb_argument[k], c, constant, batch);
-    }
-  }
-  if (combiner.rgb == Combine::kDot3Rgba) {
-    combine_dot3(rgb, combiner, batch.count, 4, batch.previous);
+// The unit's environment over the fragments [first, end), whole vectors: `previous` becomes its
+// result. Colours come before alpha, because they may read the previous alpha.
+inline void run_environment(const BoundEnvironment& e, int first, int end,
+                            int16_t (*previous)[kBatchSize]) {
+  if (e.rgb_function == Combine::kDot3Rgba) {
+    combine_dot3(e, first, end, 4, previous);
     return;
   }
-  if (combiner.rgb == Combine::kDot3Rgb) {
-    combine_dot3(rgb, combiner, batch.count, 3, batch.previous);
+  if (e.rgb_function == Combine::kDot3Rgb) {
+    combine_dot3(e, first, end, 3, previous);
   } else {
     for (int c = 0; c < 3; ++c) {
-      combine_channel_any(combiner.rgb, rgb[c], combiner.rgb_scale_log2, batch.count,
-                          batch.previous[c]);
+      combine_channel_any(e.rgb_function, e.rgb[c], e.rgb_scale_log2, first, end, previous[c]);
     }
   }
-  combine_channel_any(combiner.alpha, alpha, combiner.alpha_scale_log2, batch.count,
-                      batch.previous[3]);
+  combine_channel_any(e.alpha_function, e.alpha, e.alpha_scale_log2, first, end, previous[3]);
+}
+
+// The same of a whole batch.
+inline void texture_environment(const Combiner& combiner, const int16_t* constant,
+                                FragmentBatch& batch) {
+  run_environment(bind_environment(combiner, constant, batch), 0, batch.count, batch.previous);
 }
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE

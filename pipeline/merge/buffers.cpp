@@ -1,10 +1,14 @@
 // Making colour and depth/stencil buffers, and reading what they hold: see surface.h.
 // SPDX-License-Identifier: MIT
+#include <sys/mman.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <new>
 
+#include "pipeline/exec/workers.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/surface.h"
 
@@ -13,13 +17,22 @@ namespace clearpipe::pipeline {
 namespace {
 
 // Vectors are loaded from tiles as they lie.
-constexpr size_t kAlignment = 64;
+constexpr std::align_val_t kAlignment{64};
+constexpr size_t kHugePage = size_t{2} << 20;
 
-// Not initialised: tiles that are noted as uniform are written before they are read.
+// Not initialised: tiles that are noted as uniform are written before they are read. Large planes
+// lie in huge pages where the system has some: the first frame then takes a few page faults instead
+// of hundreds, which is most of its time.
 std::shared_ptr<uint32_t[]> allocate_tiles(size_t count) {
   const size_t bytes = count * kTilePixels * sizeof(uint32_t);
-  auto* memory = static_cast<uint32_t*>(operator new (bytes, std::align_val_t{kAlignment}));
-  return {memory, [](uint32_t* p) { operator delete (p, std::align_val_t{kAlignment}); }};
+  if (bytes < kHugePage) {
+    auto* memory = static_cast<uint32_t*>(operator new(bytes, kAlignment));
+    return {memory, [](uint32_t* p) { operator delete(p, kAlignment); }};
+  }
+  const size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
+  auto* memory = static_cast<uint32_t*>(operator new (whole, std::align_val_t{kHugePage}));
+  madvise(memory, whole, MADV_HUGEPAGE);  // advice: nothing depends on whether it is taken
+  return {memory, [](uint32_t* p) { operator delete (p, std::align_val_t{kHugePage}); }};
 }
 
 UniformTiles all_uniform(size_t count, uint32_t value) {
@@ -136,13 +149,72 @@ void write_pixels(ColourBuffer& buffer, int x, int y, int count, const uint32_t*
   }
 }
 
+namespace {
+
+struct Rectangle {
+  const ColourBuffer& buffer;
+  int x, y, count, rows;
+  std::byte* out;
+  size_t row_bytes;
+  std::atomic<int> next_row;  // of tiles
+};
+
+// A row of tiles at a time, of which each lies in one stretch.
+void read_tile_rows(void* context, int) {
+  auto& r = *static_cast<Rectangle*>(context);
+  const int end = (r.y + r.rows + kTileHeight - 1) / kTileHeight;
+  for (int row = r.next_row++; row < end; row = r.next_row++) {
+    const int y0 = std::max(row * kTileHeight, r.y);
+    const int y1 = std::min((row + 1) * kTileHeight, r.y + r.rows);
+    for (int x = r.x; x < r.x + r.count;) {
+      const int part = std::min(kTileWidth - x % kTileWidth, r.x + r.count - x);
+      std::byte* to = r.out + static_cast<size_t>(y0 - r.y) * r.row_bytes +
+                      static_cast<size_t>(x - r.x) * sizeof(uint32_t);
+      const size_t place = place_in_tiles(r.buffer.width, x, y0);
+      const size_t tile = place / kTilePixels;
+      uint32_t same[kTileWidth];
+      const bool uniform = r.buffer.uniform->is_uniform[tile] != 0;
+      if (uniform) std::fill_n(same, part, r.buffer.uniform->value[tile]);
+      const uint32_t* from = uniform ? same : r.buffer.pixels.get() + place;
+      const size_t step = uniform ? 0 : kTileWidth;
+      for (int y = y0; y < y1; ++y, from += step, to += r.row_bytes) {
+        if (part == kTileWidth) {
+          std::memcpy(to, from, kTileWidth * sizeof(uint32_t));  // moves, not a call
+        } else {
+          std::memcpy(to, from, static_cast<size_t>(part) * sizeof(uint32_t));
+        }
+      }
+      x += part;
+    }
+  }
+}
+
+}  // namespace
+
+void read_rectangle(const ColourBuffer& buffer, int x, int y, int count, int rows, void* out,
+                    size_t row_bytes) {
+  if (!buffer.uniform) {
+    for (int row = 0; row < rows; ++row) {
+      read_pixels(buffer, x, y + row, count, static_cast<std::byte*>(out) + row * row_bytes);
+    }
+    return;
+  }
+  // Below this, waking threads costs more than they save.
+  constexpr int64_t kManyPixels = 256 * 1024;
+  Rectangle rectangle{buffer,         x, y, count, rows, static_cast<std::byte*>(out), row_bytes,
+                      y / kTileHeight};
+  if (int64_t{count} * rows < kManyPixels) {
+    read_tile_rows(&rectangle, 0);
+  } else {
+    run_on_workers(&read_tile_rows, &rectangle);
+  }
+}
+
 bool lay_out_in_rows(ColourBuffer& buffer) try {
   if (!buffer.uniform) return true;
   const size_t width = static_cast<size_t>(buffer.width);
   auto rows = std::make_shared_for_overwrite<uint32_t[]>(width * buffer.height);
-  for (int y = 0; y < buffer.height; ++y) {
-    read_pixels(buffer, 0, y, buffer.width, rows.get() + y * width);
-  }
+  read_rectangle(buffer, 0, 0, buffer.width, buffer.height, rows.get(), width * sizeof(uint32_t));
   buffer.pixels = std::move(rows);
   buffer.uniform = nullptr;
   return true;

@@ -94,7 +94,6 @@ using CoverRowsFunction = void (*)(const TileEdges&, int, int, int, int, uint64_
 static CoverRowsFunction cover_rows() {
   static const CoverRowsFunction function = [] {
     select_simd_target();
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return static_cast<CoverRowsFunction>(HWY_DYNAMIC_DISPATCH(CoverAllRows));
   }();
   return function;

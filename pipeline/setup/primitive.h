@@ -16,7 +16,7 @@
 
 namespace clearpipe::pipeline {
 
-enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle };
+enum class PrimitiveKind : uint8_t { kPoint, kLine, kTriangle };  // of one, two, three vertices
 
 // What setup needs to know of a draw, the same for all its primitives.
 struct SetupState {

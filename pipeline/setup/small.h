@@ -17,11 +17,11 @@ namespace clearpipe::pipeline {
 inline constexpr int kSmallSide = 8;
 
 struct SmallPrimitive {
-  const float* vertex[3];  // vertex records; points use one, lines two
-  uint64_t mask;           // bit 8 * j + i: pixel (x + i, y + j) is covered
+  uint64_t mask;  // bit 8 * j + i: pixel (x + i, y + j) is covered
   int16_t x, y;
-  uint32_t draw;  // index of the draw in the frame
-  float size;     // as in PrimitiveRecord
+  uint32_t vertex[3];  // numbers of vertex records in the range; points use one, lines two
+  float size;          // as in PrimitiveRecord
+  uint16_t range;      // number in the packet's ranges
   PrimitiveKind kind;
   bool back_facing;
 };
@@ -57,11 +57,30 @@ inline bool is_small(const PrimitiveRecord& primitive) {
 }
 
 // Makes a small primitive of one whose box is small and whose pixels are decided by their centres;
-// false when it covers none.
+// false when it covers none. The vertices and the range are left to the caller.
 bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out);
 
-// The planes of a small primitive as make_planes (primitive.h) has them.
-void make_small_planes(const SetupState& state, const SmallPrimitive& primitive,
-                       PrimitivePlanes& out);
+// The planes of a small primitive (PrimitivePlanes, fragment/program.h), those of an attribute's
+// components beside each other.
+struct SmallPlanes {
+  struct Four {
+    alignas(16) float value[4], dx[4], dy[4];
+
+    Plane plane(int i) const { return {value[i], dx[i], dy[i]}; }
+  };
+
+  float x_ref = 0, y_ref = 0;
+  bool perspective = false, flat_colour = false;
+  Four window;     // x, y, z, 1/w: the last two are used
+  Four fog_group;  // the group of the vertex record that the fog coordinate is in
+  Four colour;
+  Four texture[kMaxTextureUnits];
+};
+inline constexpr int kDepthPlane = 2, kInverseWPlane = 3;                        // of window
+inline constexpr int kFogPlane = vertex_record::kFog - vertex_record::kOutcode;  // of fog_group
+
+// As make_planes (primitive.h) has them; `records` are the vertex records of the range.
+void make_small_planes(const SetupState& state, const float* records,
+                       const SmallPrimitive& primitive, SmallPlanes& out);
 
 }  // namespace clearpipe::pipeline

@@ -110,12 +110,14 @@ HWY_INLINE bool reads_array(const AttributeSource& source) {
   return source.is_array && source.pointer != nullptr;
 }
 
-// Once per job: the current value for constant attributes, (0,0,0,1) below arrays.
-HWY_INLINE void fill_constant_lanes(const AttributeSource& source, Lane* out) {
+// Once per job, for batches of up to `count` vertices: the current value for constant attributes,
+// (0,0,0,1) below arrays.
+HWY_INLINE void fill_constant_lanes(const AttributeSource& source, Lane* out,
+                                    size_t count = kVertexBatch) {
   const Vec4 value = source.is_array ? Vec4{0, 0, 0, 1} : source.constant;
   const float component[4] = {value.x, value.y, value.z, value.w};
   for (int c = 0; c < 4; ++c) {
-    std::fill_n(out[c], kVertexBatch, component[c]);
+    std::fill_n(out[c], count, component[c]);
   }
 }
 

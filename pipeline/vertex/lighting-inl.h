@@ -15,6 +15,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+
 #include "pipeline/vertex/math-inl.h"
 #include "pipeline/vertex/transform-inl.h"
 #include "pipeline/vertex/vertex_batch.h"
@@ -88,17 +90,15 @@ HWY_INLINE FloatVector spot_factor(FloatTag d, const Light& light, const Directi
   return hn::IfThenElseZero(inside, power(d, cosine, hn::Set(d, light.spot_exponent)));
 }
 
-HWY_INLINE Incidence incidence(FloatTag d, const Light& light, const Lane* eye, size_t i) {
+// `place` is the vertex in eye coordinates, divided by w.
+HWY_INLINE Incidence incidence(FloatTag d, const Light& light, const Direction& place) {
   Incidence result;
   result.intensity = hn::Set(d, 1.0f);
   if (light.positional) {
-    const auto w = hn::Load(d, eye[3] + i);
-    const auto light_w = hn::Set(d, light.position.w);
-    const Direction p = uniform(d, light.position);
-    const Direction to_light = {
-        hn::Sub(hn::Div(p.x, light_w), hn::Div(hn::Load(d, eye[0] + i), w)),
-        hn::Sub(hn::Div(p.y, light_w), hn::Div(hn::Load(d, eye[1] + i), w)),
-        hn::Sub(hn::Div(p.z, light_w), hn::Div(hn::Load(d, eye[2] + i), w))};
+    const Vec4& p = light.position;
+    const Direction to_light = {hn::Sub(hn::Set(d, p.x / p.w), place.x),
+                                hn::Sub(hn::Set(d, p.y / p.w), place.y),
+                                hn::Sub(hn::Set(d, p.z / p.w), place.z)};
     FloatVector distance, unused;
     result.to_light = unit_vector(d, to_light, distance);
     const Direction sum = {result.to_light.x, result.to_light.y,
@@ -128,8 +128,11 @@ HWY_INLINE void add_light(FloatTag d, const Light& light, const Incidence& at,
   const auto n_dot_l = positive_dot(d, normal, at.to_light);
   const auto n_dot_h = positive_dot(d, normal, at.half_vector);
   const auto lit = hn::Gt(n_dot_l, hn::Zero(d));
-  const auto shine = shininess == 0 ? hn::Set(d, 1.0f) : power(d, n_dot_h, hn::Set(d, shininess));
-  const auto specular = hn::IfThenElseZero(lit, shine);
+  auto specular = hn::Zero(d);
+  if (!hn::AllFalse(d, lit)) {
+    const auto shine = shininess == 0 ? hn::Set(d, 1.0f) : power(d, n_dot_h, hn::Set(d, shininess));
+    specular = hn::IfThenElseZero(lit, shine);
+  }
   const auto channel = [&](FloatVector a, float la, FloatVector df, float ld, FloatVector s,
                            float ls) HWY_ATTR {
     const auto ambient = hn::Mul(a, hn::Set(d, la));
@@ -164,6 +167,9 @@ HWY_INLINE void light_vertices(const VertexState& state, const Lane* eye, const 
                                const Lane* current, size_t count, Lane* colour, Lane* back_colour) {
   const FloatTag d;
   const Material& m = state.material;
+  const bool positional =
+      std::any_of(state.lights.begin(), state.lights.end(),
+                  [](const Light& light) { return light.enabled && light.positional; });
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     MaterialColours material = {uniform_rgb(d, m.ambient), uniform_rgb(d, m.diffuse),
                                 uniform_rgb(d, m.specular)};
@@ -183,11 +189,17 @@ HWY_INLINE void light_vertices(const VertexState& state, const Lane* eye, const 
     const Direction n = {hn::Load(d, normals[0] + i), hn::Load(d, normals[1] + i),
                          hn::Load(d, normals[2] + i)};
     const Direction minus_n = {hn::Neg(n.x), hn::Neg(n.y), hn::Neg(n.z)};
+    Direction place = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    if (positional) {
+      const auto w = hn::Load(d, eye[3] + i);
+      place = {hn::Div(hn::Load(d, eye[0] + i), w), hn::Div(hn::Load(d, eye[1] + i), w),
+               hn::Div(hn::Load(d, eye[2] + i), w)};
+    }
     for (const Light& light : state.lights) {
       if (!light.enabled) {
         continue;
       }
-      const Incidence at = incidence(d, light, eye, i);
+      const Incidence at = incidence(d, light, place);
       add_light(d, light, at, material, m.shininess, n, front);
       if (state.two_sided) {
         add_light(d, light, at, material, m.shininess, minus_n, back);

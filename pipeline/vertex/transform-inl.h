@@ -30,22 +30,25 @@ HWY_INLINE V dot3(V ax, V ay, V az, V bx, V by, V bz) {
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-// One row of matrix * vector.
-HWY_INLINE void transform_row(const Mat4& matrix, int row, const Lane* in, size_t count,
-                              float* out) {
+// One row of matrix * vector, of `count` vertices from `first` on, which may be any: whole vectors
+// are written, so what follows them must be transformed later, and `first + count` be followed by a
+// vector's room.
+HWY_INLINE void transform_row(const Mat4& matrix, int row, const Lane* in, size_t count, float* out,
+                              size_t first = 0) {
   const hn::ScalableTag<float> d;
   const auto& m = matrix.m;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+  for (size_t i = first; i < first + count; i += hn::Lanes(d)) {
     const auto result =
-        dot4(d, m[row], m[4 + row], m[8 + row], m[12 + row], hn::Load(d, in[0] + i),
-             hn::Load(d, in[1] + i), hn::Load(d, in[2] + i), hn::Load(d, in[3] + i));
-    hn::Store(result, d, out + i);
+        dot4(d, m[row], m[4 + row], m[8 + row], m[12 + row], hn::LoadU(d, in[0] + i),
+             hn::LoadU(d, in[1] + i), hn::LoadU(d, in[2] + i), hn::LoadU(d, in[3] + i));
+    hn::StoreU(result, d, out + i);
   }
 }
 
-HWY_INLINE void transform_position(const Mat4& matrix, const Lane* in, size_t count, Lane* out) {
+HWY_INLINE void transform_position(const Mat4& matrix, const Lane* in, size_t count, Lane* out,
+                                   size_t first = 0) {
   for (int row = 0; row < 4; ++row) {
-    transform_row(matrix, row, in, count, out[row]);
+    transform_row(matrix, row, in, count, out[row], first);
   }
 }
 
@@ -66,20 +69,20 @@ HWY_INLINE void store_normal(D d, const VertexState& state, V rescale, V nx, V n
     ny = hn::Mul(ny, rescale);
     nz = hn::Mul(nz, rescale);
   }
-  hn::Store(nx, d, out[0] + i);
-  hn::Store(ny, d, out[1] + i);
-  hn::Store(nz, d, out[2] + i);
+  hn::StoreU(nx, d, out[0] + i);
+  hn::StoreU(ny, d, out[1] + i);
+  hn::StoreU(nz, d, out[2] + i);
 }
 
-HWY_INLINE void transform_normal(const VertexState& state, const Lane* in, size_t count,
-                                 Lane* out) {
+HWY_INLINE void transform_normal(const VertexState& state, const Lane* in, size_t count, Lane* out,
+                                 size_t first = 0) {
   const hn::ScalableTag<float> d;
   const auto& m = state.normal_matrix;
   const auto rescale = hn::Set(d, state.rescale);
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto x = hn::Load(d, in[0] + i);
-    const auto y = hn::Load(d, in[1] + i);
-    const auto z = hn::Load(d, in[2] + i);
+  for (size_t i = first; i < first + count; i += hn::Lanes(d)) {
+    const auto x = hn::LoadU(d, in[0] + i);
+    const auto y = hn::LoadU(d, in[1] + i);
+    const auto z = hn::LoadU(d, in[2] + i);
     store_normal(d, state, rescale,
                  dot3(hn::Set(d, m[0]), hn::Set(d, m[3]), hn::Set(d, m[6]), x, y, z),
                  dot3(hn::Set(d, m[1]), hn::Set(d, m[4]), hn::Set(d, m[7]), x, y, z),

@@ -39,6 +39,9 @@ struct VertexLayout {
 
 VertexLayout make_vertex_layout(const VertexState& state);
 
+// Bit per Attribute that the vertex stages read in that state, but for the size of points.
+uint32_t vertex_attributes(const VertexState& state);
+
 // Which planes a vertex is outside of. User clip plane i is kOutcodeUser << i.
 enum Outcode : uint32_t {
   kOutcodeLeft = 1u << 0,
@@ -57,6 +60,12 @@ struct GuardBand {
   float x_min = -1, x_max = 1, y_min = -1, y_max = 1;  // multiples of w
 };
 
+// The vertices of a job that follow each other with the same matrices.
+struct VertexRun {
+  const VertexState* matrices = nullptr;  // differs from the state of the job in these alone
+  uint32_t count = 0;
+};
+
 struct VertexJob {
   const DrawCommand* draw = nullptr;  // attribute sources
   const VertexState* state = nullptr;
@@ -66,6 +75,8 @@ struct VertexJob {
   const uint32_t* elements = nullptr;  // element index of each vertex
   size_t count = 0;
   float* records = nullptr;  // out: count * layout.stride, 64-byte aligned
+  // Together `count` vertices; null: all have the matrices of the state.
+  const VertexRun* runs = nullptr;
 };
 
 // Runs every vertex stage on the job with the SIMD target in use.

@@ -1,8 +1,8 @@
-// Setup of many triangles at once against setup of each by itself: what becomes a small primitive,
+// Setup of many primitives at once against setup of each by itself: what becomes a small primitive,
 // with which pixels; and where those lie in tiles. Runs on the SIMD target that CLEARPIPE_SIMD
 // selects.
 // SPDX-License-Identifier: MIT
-#include "pipeline/setup/triangles.h"
+#include "pipeline/setup/lanes.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace {
 constexpr int kSide = 200;
 constexpr size_t kTriangles = 3000;
 
-using Set = TriangleSet<kTriangles>;
+using Set = LaneSet<kTriangles>;
 
 struct Mesh {
   std::vector<float> records;
@@ -39,8 +39,9 @@ struct Mesh {
   }
 };
 
-// Triangles of all sizes around a random place; some are degenerate, have corners on the centres
-// of pixels, or coordinates that mean nothing, which outcodes then say.
+// Triangles, or lines that leave out the third corner, of all sizes around a random place; some are
+// degenerate, have corners on the centres or borders of pixels, or coordinates that mean nothing,
+// which outcodes then say.
 Mesh random_mesh(uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-4, kSide + 4), unit(-1, 1);
@@ -52,6 +53,8 @@ Mesh random_mesh(uint32_t seed) {
     const float size = kSizes[random() % std::size(kSizes)];
     const float x = place(random), y = place(random);
     for (int k = 0; k < 3; ++k) {
+      const float last[2] = {k > 0 ? mesh.vertex(k - 1, t)[vertex_record::kWindow] : 0,
+                             k > 0 ? mesh.vertex(k - 1, t)[vertex_record::kWindow + 1] : 0};
       float vx = x + size * unit(random), vy = y + size * unit(random);
       uint32_t outcode = 0;
       switch (random() % 24) {
@@ -72,6 +75,16 @@ Mesh random_mesh(uint32_t seed) {
         case 4:  // to be set up, but far away
           vx += 17000;
           break;
+        case 5:  // along an axis, when it is a line
+        case 6:
+          if (k > 0) {
+            const int axis = static_cast<int>(random() % 2);
+            (axis == 0 ? vx : vy) = last[axis];
+          }
+          break;
+        case 7:
+          vx = std::floor(vx);
+          break;
         default:
           break;
       }
@@ -80,7 +93,7 @@ Mesh random_mesh(uint32_t seed) {
     }
     if (random() % 16 == 0) mesh.set.corner[2][t] = mesh.set.corner[random() % 2][t];
   }
-  for (auto& corner : mesh.set.corner) std::fill_n(corner.begin() + kTriangles, kTriangleLanes, 0);
+  for (auto& corner : mesh.set.corner) std::fill_n(corner.begin() + kTriangles, kSetupLanes, 0);
   return mesh;
 }
 
@@ -90,61 +103,78 @@ uint32_t outcode_of(const float* record) {
   return outcode;
 }
 
-// The fate that setup of one triangle alone gives; kSmallFront and kSmallBack with their pixels.
-TriangleFate expected_fate(const SetupState& state, const Mesh& mesh, size_t t,
-                           SmallPrimitive& small) {
+// Whether the edges of a primitive after setup have a pixel inside.
+bool covers(const PrimitiveRecord& record, int x, int y) {
+  if (x < record.x0 || x >= record.x1 || y < record.y0 || y >= record.y1) return false;
+  for (int e = 0; e < record.edge_count; ++e) {
+    const Edge& edge = record.edges[e];
+    if (edge.at(0, 0) + int64_t{edge.a} * x + int64_t{edge.b} * y < 0) return false;
+  }
+  return true;
+}
+
+// The fate that setup of one primitive alone gives, kGeneral when its outcodes leave it to others.
+LaneFate expected_fate(const SetupState& state, int corners, const Mesh& mesh, size_t t,
+                       PrimitiveRecord& record) {
   const float* v[3];
   uint32_t any = 0, all = ~0u;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < corners; ++k) {
     v[k] = mesh.vertex(k, t);
     any |= outcode_of(v[k]);
     all &= outcode_of(v[k]);
   }
-  if ((all & ~uint32_t{kOutcodeGuard}) != 0) return TriangleFate::kNothing;
-  if (any != 0) return TriangleFate::kGeneral;
-  PrimitiveRecord record;
-  if (!setup_triangle(state, v[0], v[1], v[2], record)) return TriangleFate::kNothing;
-  if (!is_small(record)) return TriangleFate::kGeneral;
-  if (!make_small(record, small)) return TriangleFate::kNothing;
-  return record.back_facing ? TriangleFate::kSmallBack : TriangleFate::kSmallFront;
+  if ((all & ~uint32_t{kOutcodeGuard}) != 0) return LaneFate::kNothing;
+  if (any != 0) return LaneFate::kGeneral;
+  const bool visible = corners == 3 ? setup_triangle(state, v[0], v[1], v[2], record)
+                                    : setup_line(state, v[0], v[1], record);
+  if (!visible) return LaneFate::kNothing;
+  return (corners == 3 ? record.back_facing : record.size < 0) ? LaneFate::kSmallOther
+                                                               : LaneFate::kSmall;
 }
 
-TriangleJob job_of(Mesh& mesh) {
-  TriangleJob job;
-  job.records = mesh.records.data();
-  for (int k = 0; k < 3; ++k) job.corner[k] = mesh.set.corner[k].data();
-  job.count = kTriangles;
-  job.fate = mesh.set.fate.data();
-  job.x = mesh.set.x.data();
-  job.y = mesh.set.y.data();
-  job.mask_low = mesh.set.mask_low.data();
-  job.mask_high = mesh.set.mask_high.data();
-  return job;
-}
-
-void expect_same(const SetupState& state, uint32_t seed) {
+void expect_same(const SetupState& state, int corners, uint32_t seed) {
   Mesh mesh = random_mesh(seed);
-  setup_triangles(state, job_of(mesh));
+  const LaneJob job = lane_job(mesh.records.data(), mesh.set, 0, kTriangles);
+  (corners == 3 ? setup_triangles : setup_lines)(state, job);
   size_t small_count = 0, general_count = 0;
   for (size_t t = 0; t < kTriangles; ++t) {
-    SmallPrimitive small;
-    const TriangleFate expected = expected_fate(state, mesh, t, small);
-    const auto found = static_cast<TriangleFate>(mesh.set.fate[t]);
-    // What many at once leave to the one by itself comes out right in any case.
-    if (found == TriangleFate::kGeneral) {
-      general_count += expected != TriangleFate::kGeneral;
+    PrimitiveRecord record;
+    const LaneFate expected = expected_fate(state, corners, mesh, t, record);
+    const auto found = static_cast<LaneFate>(mesh.set.fate[t]);
+    if (found == LaneFate::kGeneral) {  // what is left to setup of one comes out right
+      ++general_count;
       continue;
     }
-    ASSERT_EQ(found, expected) << t;
-    if (found == TriangleFate::kNothing) continue;
-    ++small_count;
-    const uint64_t mask = uint64_t{mesh.set.mask_high[t]} << 32 | mesh.set.mask_low[t];
-    // The box may begin elsewhere, the pixels are the same.
-    const int dx = small.x - mesh.set.x[t], dy = small.y - mesh.set.y[t];
-    ASSERT_EQ(mask, small.mask << (dx + kSmallSide * dy)) << t;
+    const bool small = found != LaneFate::kNothing;
+    if (small || expected == LaneFate::kNothing || expected == LaneFate::kGeneral) {
+      ASSERT_EQ(found, expected) << t;
+    }
+    if (expected == LaneFate::kNothing) continue;
+    small_count += small;
+    // What is said to be nothing covers nothing; else each pixel is in the mask of its square.
+    constexpr int kWide = kLaneSquares * kSmallSide;
+    for (int y = small ? mesh.set.y[t] - 1 : record.y0; y <= record.y1; ++y) {
+      for (int x = small ? mesh.set.x[t] - 1 : record.x0; x <= record.x1; ++x) {
+        bool in_mask = false;
+        const int i = x - mesh.set.x[t], j = y - mesh.set.y[t];
+        if (small && i >= 0 && i < kWide && j >= 0 && j < kWide) {
+          const uint64_t mask = mesh.set.mask(t, j / kSmallSide * kLaneSquares + i / kSmallSide);
+          in_mask = (mask >> (kSmallSide * (j % kSmallSide) + i % kSmallSide) & 1) != 0;
+        }
+        ASSERT_EQ(in_mask, covers(record, x, y)) << t << " pixel " << x << " " << y;
+      }
+    }
+    for (int square = 0; small && square < kSquaresOfLane; ++square) {
+      const int x = mesh.set.x[t] + square % kLaneSquares * kSmallSide;
+      const int y = mesh.set.y[t] + square / kLaneSquares * kSmallSide;
+      for (int bit = 0; bit < 64; ++bit) {
+        if ((mesh.set.mask(t, square) >> bit & 1) == 0) continue;
+        ASSERT_TRUE(covers(record, x + bit % kSmallSide, y + bit / kSmallSide)) << t;
+      }
+    }
   }
-  EXPECT_GT(small_count, kTriangles / 16);
-  EXPECT_LT(general_count, kTriangles / 3);
+  EXPECT_GT(small_count, kTriangles / 12);
+  EXPECT_LT(general_count, 2 * kTriangles / 3);
 }
 
 SetupState state_with(CullFace cull, bool clockwise, int mirror_height) {
@@ -162,18 +192,31 @@ TEST(Triangles, EachIsAsSetUpAlone) {
     for (const bool clockwise : {false, true}) {
       for (const int mirror_height : {0, kSide}) {
         SCOPED_TRACE(seed);
-        expect_same(state_with(cull, clockwise, mirror_height), seed++);
+        expect_same(state_with(cull, clockwise, mirror_height), 3, seed++);
       }
+    }
+  }
+}
+
+TEST(Lines, EachIsAsSetUpAlone) {
+  uint32_t seed = 50;
+  for (const float width : {1.0f, 1.6f, 3.0f, 4.0f}) {
+    for (const int mirror_height : {0, kSide}) {
+      SCOPED_TRACE(seed);
+      SetupState state = state_with(CullFace::kNone, false, mirror_height);
+      state.raster.line_width = width;
+      expect_same(state, 2, seed++);
     }
   }
 }
 
 TEST(Triangles, NothingIsLeftOfBothFacesCulled) {
   Mesh mesh = random_mesh(99);
-  setup_triangles(state_with(CullFace::kFrontAndBack, false, 0), job_of(mesh));
+  setup_triangles(state_with(CullFace::kFrontAndBack, false, 0),
+                  lane_job(mesh.records.data(), mesh.set, 0, kTriangles));
   for (size_t t = 0; t < kTriangles; ++t) {
-    const auto fate = static_cast<TriangleFate>(mesh.set.fate[t]);
-    ASSERT_TRUE(fate == TriangleFate::kNothing || fate == TriangleFate::kGeneral) << t;
+    const auto fate = static_cast<LaneFate>(mesh.set.fate[t]);
+    ASSERT_TRUE(fate == LaneFate::kNothing || fate == LaneFate::kGeneral) << t;
   }
 }
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+//
+// See model.h.
+#include "bench/model.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "bench/picture.h"
+#include "bench/shapes.h"
+
+namespace bench {
+
+namespace {
+
+const std::string kFolder = "/usr/share/glmark2/";
+
+void add_numbers(std::istringstream& line, int count, std::vector<GLfloat>& list) {
+  GLfloat value = 0;
+  for (int i = 0; i < count && line >> value; ++i) list.push_back(value);
+}
+
+// Each vertex gets the sum of its faces' normals, which are as long as the faces are large.
+void make_normals(Model& model) {
+  model.normals.assign(model.positions.size(), 0);
+  for (size_t i = 0; i + 2 < model.indices.size(); i += 3) {
+    const GLfloat* p[3];
+    for (size_t k = 0; k < 3; ++k) p[k] = &model.positions[3 * model.indices[i + k]];
+    const GLfloat a[] = {p[1][0] - p[0][0], p[1][1] - p[0][1], p[1][2] - p[0][2]};
+    const GLfloat b[] = {p[2][0] - p[0][0], p[2][1] - p[0][1], p[2][2] - p[0][2]};
+    for (size_t k = 0; k < 3; ++k) {
+      GLfloat* const normal = &model.normals[3 * model.indices[i + k]];
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+        normal[axis] += a[next] * b[last] - a[last] * b[next];
+      }
+    }
+  }
+  for (size_t v = 0; v < model.normals.size(); v += 3) {
+    GLfloat* const n = &model.normals[v];
+    const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (int axis = 0; axis < 3 && length > 0; ++axis) n[axis] /= length;
+  }
+}
+
+}  // namespace
+
+Model read_model(const std::string& name) {
+  std::ifstream file(kFolder + "models/" + name);
+  if (!file) fail("opening a model of the package glmark2-data");
+  Model model;
+  for (std::string text; std::getline(file, text);) {
+    std::istringstream line(text);
+    std::string kind;
+    line >> kind;
+    if (kind == "v") add_numbers(line, 3, model.positions);
+    if (kind == "vn") add_numbers(line, 3, model.normals);
+    if (kind == "vt") add_numbers(line, 2, model.coordinates);
+    if (kind == "vc") add_numbers(line, 3, model.colours);
+    GLuint corner = 0;
+    while ((kind == "f" || kind == "i") && line >> corner) {
+      model.indices.push_back(kind == "f" ? corner - 1 : corner);
+    }
+  }
+  for (const GLuint index : model.indices) {
+    if (index >= model.vertices()) fail("reading a model: a corner without a position");
+  }
+  if (model.normals.size() != model.positions.size()) make_normals(model);
+  return model;
+}
+
+void use_picture(const std::string& name) {
+  const Picture picture = read_png(kFolder + "textures/" + name);
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, picture.width, picture.height, 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, picture.pixels.data());
+  glEnable(GL_TEXTURE_2D);
+}
+
+}  // namespace bench
