@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <string>
 
 #include "conformance/compare.h"
@@ -21,15 +22,19 @@ namespace {
 struct Format {
   const char* name;
   Buffers buffers;
-  int step;  // of the coarsest component, in 1/255
+  int step;            // of the coarsest component, in 1/255
+  double least_equal;  // the share of pixels that must be equal in every scene
 };
 
 const Format kFormats[] = {
-    {"rgb565_depth16", {.red = 5, .green = 6, .blue = 5, .alpha = 0, .depth = 16, .stencil = 0}, 9},
-    {"rgb565", {.red = 5, .green = 6, .blue = 5, .alpha = 0}, 9},
-    {"rgba8888_depth16", {.depth = 16, .stencil = 0}, 2},
-    {"rgba8888_depth32", {.depth = 32, .stencil = 0}, 2},
-    {"srgb", {.srgb = true}, 8},
+    {"rgb565_depth16",
+     {.red = 5, .green = 6, .blue = 5, .alpha = 0, .depth = 16, .stencil = 0},
+     9,
+     0.85},
+    {"rgb565", {.red = 5, .green = 6, .blue = 5, .alpha = 0}, 9, 0.85},
+    {"rgba8888_depth16", {.depth = 16, .stencil = 0}, 2, 0},
+    {"rgba8888_depth32", {.depth = 32, .stencil = 0}, 2, 0},
+    {"srgb", {.srgb = true}, 8, 0},
 };
 
 Image draw(Implementation& implementation, const Scene& scene, GLenum& error) {
@@ -46,6 +51,18 @@ std::string output_folder() {
   return folder != nullptr ? folder : "scenes";
 }
 
+// Why Mesa's OpenGL ES 1.1 draws a scene otherwise, whatever it is drawn on; or on sRGB.
+bool differs_anyway(const std::string& scene, const Format& format) {
+  static const std::set<std::string> differing = {
+#define DIFFERS(topic, name, cause) #topic "." #name,
+#include "reference/second_reference.def"
+#undef DIFFERS
+  };
+  // 4.1.9 knows no exception for encoded colours; Mesa leaves them alone, as OpenGL 3.0 does.
+  if (format.buffers.srgb && scene == "fragments.logic_operations") return true;
+  return differing.count(scene) != 0;
+}
+
 class BufferFormats : public testing::TestWithParam<Format> {};
 
 TEST_P(BufferFormats, ScenesAgreeWithMesa) {
@@ -53,9 +70,10 @@ TEST_P(BufferFormats, ScenesAgreeWithMesa) {
   const auto subject = open_through_egl(format.buffers);
   const auto reference = open_mesa_through_egl(format.buffers);
   int drawn = 0, refused = 0, equal = 0;
+  double least = 1;
   for (const Scene& scene : scenes()) {
-    if (scene.samples > 0) continue;
     const std::string name = std::string(scene.topic) + "." + scene.name;
+    if (scene.samples > 0 || differs_anyway(name, format)) continue;
     GLenum error = GL_NO_ERROR, expected_error = GL_NO_ERROR;
     const Image image = draw(*subject, scene, error);
     const Image expected = draw(*reference, scene, expected_error);
@@ -72,14 +90,18 @@ TEST_P(BufferFormats, ScenesAgreeWithMesa) {
     const Agreement agreement = compare(image, expected, tolerance);
     ++drawn;
     if (agreement.equal == 1) ++equal;
-    if (!holds(agreement, tolerance)) {
+    least = std::min(least, agreement.equal);
+    // Rounded where Mesa truncates, half of all pixels would be another step.
+    if (!holds(agreement, tolerance) || agreement.equal < format.least_equal) {
       ADD_FAILURE() << name << " on " << format.name << ": " << describe(agreement) << "; see "
                     << write_pictures(image, expected, output_folder(),
                                       std::string(format.name) + "." + name);
     }
   }
-  std::printf("format %s: %d scenes agree or are reported, %d of them equal; %d refused\n",
-              format.name, drawn, equal, refused);
+  std::printf(
+      "format %s: %d scenes, %d of them equal, the others in %.1f%% of their pixels or more; "
+      "%d refused\n",
+      format.name, drawn, equal, 100 * least, refused);
   EXPECT_GT(drawn, 50);
 }
 

@@ -144,7 +144,8 @@ TEST_F(SurfaceTest, QueryAndSetErrors) {
 
 // 3.5.6: the box is the filter, and can be asked for where there is something to filter.
 TEST_F(SurfaceTest, MultisampleSurfaces) {
-  const EGLConfig multisampled = choose({EGL_SAMPLES, 4, EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8});
+  const EGLConfig multisampled =
+      choose({EGL_SAMPLES, 4, EGL_RED_SIZE, 8, EGL_DEPTH_SIZE, 24, EGL_STENCIL_SIZE, 8});
   ASSERT_NE(multisampled, nullptr);
   EGLint types = 0;
   EXPECT_EGL_OK(eglGetConfigAttrib(display, multisampled, EGL_SURFACE_TYPE, &types));
@@ -243,11 +244,14 @@ TEST_F(SurfaceTest, DestroyWhileCurrent) {
   EXPECT_EGL_OK(eglWaitClient());
 }
 
-// 3.10: a pbuffer keeps its pixels; only the draw surface of the current context can be posted.
+// 3.10: a pbuffer keeps its pixels; what is posted is the draw surface of the current context, or,
+// by EGL_KHR_lock_surface3, one that can be locked and is current to none.
 TEST_F(SurfaceTest, Posting) {
   const EGLSurface draw = pbuffer(4, 4), read = pbuffer(4, 4);
   const EGLContext ctx = context();
-  EXPECT_EGL_FAIL(eglSwapBuffers(display, draw), EGL_FALSE, EGL_BAD_SURFACE);
+  const EGLSurface samples = pbuffer(choose({EGL_SAMPLES, 4}), 4, 4);
+  EXPECT_EGL_FAIL(eglSwapBuffers(display, samples), EGL_FALSE, EGL_BAD_SURFACE);
+  EXPECT_EGL_OK(eglSwapBuffers(display, draw));
   EXPECT_EGL_FAIL(eglSwapInterval(display, 1), EGL_FALSE, EGL_BAD_CONTEXT);
   ASSERT_TRUE(eglMakeCurrent(display, draw, read, ctx));
   EXPECT_EGL_FAIL(eglSwapBuffers(display, read), EGL_FALSE, EGL_BAD_SURFACE);
@@ -262,7 +266,7 @@ TEST_F(SurfaceTest, Posting) {
   EXPECT_EQ(pixel, 0xff00ffffu);
   ASSERT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, ctx));
   EXPECT_EGL_FAIL(eglSwapInterval(display, 1), EGL_FALSE, EGL_BAD_SURFACE);
-  EXPECT_EGL_FAIL(eglSwapBuffers(display, draw), EGL_FALSE, EGL_BAD_SURFACE);
+  EXPECT_EGL_FAIL(eglSwapBuffers(display, samples), EGL_FALSE, EGL_BAD_SURFACE);
 }
 
 // A config without alpha reads as opaque whatever is written.

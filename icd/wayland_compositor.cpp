@@ -136,9 +136,12 @@ struct TestCompositor::State {
     commit.has_alpha = wl_shm_buffer_get_format(shm) == WL_SHM_FORMAT_ARGB8888;
     commit.dx = surface.dx;
     commit.dy = surface.dy;
+    commit.is_rgb565 = wl_shm_buffer_get_format(shm) == WL_SHM_FORMAT_RGB565;
     wl_shm_buffer_begin_access(shm);
-    const auto* pixels = static_cast<const uint32_t*>(wl_shm_buffer_get_data(shm));
-    commit.buffer.assign(pixels, pixels + commit.width * commit.height);
+    const auto* rows = static_cast<const std::byte*>(wl_shm_buffer_get_data(shm));
+    for (int y = 0; y < commit.height; ++y, rows += wl_shm_buffer_get_stride(shm)) {
+      for (int x = 0; x < commit.width; ++x) commit.buffer.push_back(commit.pixel(rows, x));
+    }
     wl_shm_buffer_end_access(shm);
     {
       const std::lock_guard<std::mutex> lock(mutex);
@@ -228,6 +231,7 @@ TestCompositor::TestCompositor() : state_(std::make_unique<State>()) {
   s.display = wl_display_create();
   s.wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   wl_display_init_shm(s.display);
+  wl_display_add_shm_format(s.display, WL_SHM_FORMAT_RGB565);
   wl_global_create(s.display, &wl_compositor_interface, 4, &s, State::bind_compositor);
   wl_event_loop* loop = wl_display_get_event_loop(s.display);
   s.waking = wl_event_loop_add_fd(loop, s.wake, WL_EVENT_READABLE, State::run_tasks, &s);

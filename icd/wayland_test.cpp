@@ -176,6 +176,37 @@ TEST_F(WaylandTest, OpaqueConfig) {
   EXPECT_EQ(at(committed(), 3, 3) & 0xffffffu, 0xff00ffu);
 }
 
+// Configs of 16 bits have buffers of 16 bits, whose rows are whole words all the same.
+TEST_F(WaylandTest, SixteenBits) {
+  config = choose_window({EGL_BUFFER_SIZE, 16, EGL_GREEN_SIZE, EGL_DONT_CARE});
+  EGLint green = 0, kinds = 0;
+  eglGetConfigAttrib(display, config, EGL_GREEN_SIZE, &green);
+  EXPECT_EQ(green, 6);
+  const EGLSurface surface = current_surface(window(5, 4));
+  clear(kRed);
+  clear_part(kGreen, 1, 0, 1, 1);
+  clear_part(kBlue, 4, 3, 1, 1);
+  EXPECT_EGL_OK(eglSwapBuffers(display, surface));
+  const Commit commit = committed();
+  EXPECT_TRUE(commit.is_rgb565);
+  EXPECT_EQ(at(commit, 0, 0), argb(kRed));
+  EXPECT_EQ(at(commit, 1, 3), argb(kGreen));
+  EXPECT_EQ(at(commit, 4, 0), argb(kBlue));
+  EXPECT_EQ(at(commit, 4, 1), argb(kRed));
+  // Those that compositors have no common format for are for pbuffers.
+  const EGLint four[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_BUFFER_SIZE, 16, EGL_NONE};
+  std::array<EGLConfig, 64> list{};
+  EGLint count = 0;
+  eglChooseConfig(display, four, list.data(), 64, &count);
+  for (EGLint i = 0; i < count; ++i) {
+    EGLint alpha = 0, red = 0;
+    eglGetConfigAttrib(display, list[static_cast<size_t>(i)], EGL_ALPHA_SIZE, &alpha);
+    eglGetConfigAttrib(display, list[static_cast<size_t>(i)], EGL_RED_SIZE, &red);
+    eglGetConfigAttrib(display, list[static_cast<size_t>(i)], EGL_SURFACE_TYPE, &kinds);
+    EXPECT_EQ((kinds & EGL_WINDOW_BIT) != 0, red == 8 || alpha == 0);
+  }
+}
+
 TEST_F(WaylandTest, EveryPixel) {
   constexpr int kWidth = 333, kHeight = 217;
   const EGLSurface surface = current_surface(window(kWidth, kHeight));

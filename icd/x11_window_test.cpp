@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <sys/socket.h>
 
+#include <bit>
 #include <chrono>
 #include <thread>
 
@@ -73,13 +74,27 @@ TEST_F(X11Test, Configs) {
   std::vector<EGLConfig> list(static_cast<size_t>(count));
   ASSERT_TRUE(eglGetConfigs(display, list.data(), count, &count));
   bool alpha_visual = false;
+  // Colours of other sizes than the visual's are for pbuffers.
+  const auto bits = [](unsigned long mask) { return std::popcount(mask); };
+  const Visual* root = DefaultVisual(x_, DefaultScreen(x_));
+  bool pbuffer_only = false;
   for (const EGLConfig c : list) {
+    if (attrib(c, EGL_NATIVE_RENDERABLE) == EGL_FALSE) {
+      pbuffer_only = true;
+      EXPECT_NE(attrib(c, EGL_GREEN_SIZE), bits(root->green_mask));
+      EXPECT_EQ(attrib(c, EGL_SURFACE_TYPE) & (EGL_WINDOW_BIT | EGL_PIXMAP_BIT), 0);
+      EXPECT_EQ(attrib(c, EGL_NATIVE_VISUAL_TYPE), EGL_NONE);
+      continue;
+    }
     XVisualInfo wanted{};
     wanted.visualid = static_cast<VisualID>(attrib(c, EGL_NATIVE_VISUAL_ID));
     int found = 0;
     XVisualInfo* info = XGetVisualInfo(x_, VisualIDMask, &wanted, &found);
     ASSERT_EQ(found, 1);
     EXPECT_EQ(attrib(c, EGL_NATIVE_VISUAL_TYPE), TrueColor);
+    EXPECT_EQ(attrib(c, EGL_RED_SIZE), bits(info->red_mask));
+    EXPECT_EQ(attrib(c, EGL_GREEN_SIZE), bits(info->green_mask));
+    EXPECT_EQ(attrib(c, EGL_BLUE_SIZE), bits(info->blue_mask));
     EXPECT_EQ(attrib(c, EGL_NATIVE_RENDERABLE), EGL_TRUE);
     EXPECT_TRUE(attrib(c, EGL_SURFACE_TYPE) & EGL_WINDOW_BIT);
     EXPECT_EQ(attrib(c, EGL_MIN_SWAP_INTERVAL), 0);
@@ -91,8 +106,11 @@ TEST_F(X11Test, Configs) {
     XFree(info);
   }
   EXPECT_TRUE(alpha_visual);
-  EXPECT_EQ(attrib(choose_window({EGL_ALPHA_SIZE, 8}), EGL_NATIVE_VISUAL_ID),
-            attrib(choose_window({}), EGL_NATIVE_VISUAL_ID));
+  EXPECT_TRUE(pbuffer_only);
+  // On a screen of 16 bits, alpha is only in windows that have a depth of their own.
+  EXPECT_EQ(attrib(choose_window({EGL_ALPHA_SIZE, 8}), EGL_NATIVE_VISUAL_ID) ==
+                attrib(choose_window({}), EGL_NATIVE_VISUAL_ID),
+            bits(root->green_mask) == 8);
 }
 
 TEST_F(X11Test, ShowsWhatIsDrawn) {

@@ -37,6 +37,12 @@ inline DepthState depth_state(const FragmentProgram& program) {
           program.depth_bits == 16 ? 65535.0f : 16777215.0f, program.depth_bits == 32};
 }
 
+// Where 32 bits are known not to come, so that nothing asks.
+struct NarrowDepthState : DepthState {
+  explicit NarrowDepthState(const DepthState& state) : DepthState(state) {}
+  static constexpr bool whole = false;
+};
+
 // The same as 32 bits, with the highest inverted. A depth has 24 significant bits, so those below
 // 1/2 are exact or rounded as products, and what lies above 1/2 is exact.
 template <class D, class V = hn::Vec<D>>
@@ -55,8 +61,8 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_whole_depth_value(D d, V z) {
 
 // Window depth clamped to [0, 1], as the nearest value of the buffer (2.10.1). NaN becomes 0, as
 // Max takes its second parameter then.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, const DepthState& depth, V z) {
+template <class D, class State, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, const State& depth, V z) {
   z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
   if (depth.whole) return to_whole_depth_value(d, z);
   return hn::NearestInt(hn::Mul(z, hn::Set(d, depth.most)));
@@ -95,8 +101,8 @@ HWY_INLINE V stencil_operation(D d, StencilOp op, V stored, uint8_t reference) {
 
 // Both tests for one vector. `live` selects the fragments that take part; returns those that pass
 // both, and the new packed values.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, const DepthState& depth,
+template <class D, class State, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, const State& depth,
                                           hn::Mask<D> live, V fragment_depth, V& packed) {
   const hn::RebindToUnsigned<D> du;
   const V highest = hn::Set(d, INT32_MIN);

@@ -410,7 +410,7 @@ class FusedLoop {
   const PrimitivePlanes& planes_;
   Tile& tile_;
   const bool tests_;
-  const DepthState depth_;
+  const NarrowDepthState depth_;
   const bool truncates_;
   const Truncation truncation_;
   bool needs_w_;

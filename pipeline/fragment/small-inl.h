@@ -370,7 +370,7 @@ class SmallBatch {
 
   const FragmentProgram& program_;
   Tile& tile_;
-  const DepthState depth_state_;
+  const NarrowDepthState depth_state_;
   const bool replaces_;  // what lives replaces the whole pixel
   bool needs_lod_ = false;
   int padded_ = 0;
