@@ -1,6 +1,6 @@
-// The back phase of a tile: each packet's primitives in order - coverage, planes, shading - between
-// loading the planes that are needed and merging those that changed.
-// SPDX-License-Identifier: MIT
+// The back phase of a tile: each packet's primitives in order - coverage,
+// planes, shading - between loading the planes that are needed and merging
+// those that changed. SPDX-License-Identifier: MIT
 #include <hwy/cache_control.h>
 
 #include <algorithm>
@@ -44,7 +44,8 @@ void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& p
   }
 }
 
-// The coverage of each sample: where it is not found at the samples, it is full (3.2.1).
+// The coverage of each sample: where it is not found at the samples, it is full
+// (3.2.1).
 bool cover(const PrimitiveRecord& primitive, const TilePlanes& planes, Coverage* coverage) {
   const Tile& tile = planes.tile();
   if (primitive.multisample) return cover_samples(primitive, tile.x, tile.y, coverage);
@@ -117,8 +118,8 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
   }
 }
 
-// Scattered primitives make many short lists, and each would wait for memory three times: for its
-// entries, the primitive, the vertex.
+// Scattered primitives make many short lists, and each would wait for memory
+// three times: for its entries, the primitive, the vertices.
 void fetch_ahead(const std::vector<DrawRecord>& draws,
                  const std::vector<std::unique_ptr<Packet>>& packets,
                  std::span<const TileLists::Reference> lists, size_t next) {
@@ -126,17 +127,28 @@ void fetch_ahead(const std::vector<DrawRecord>& draws,
   if (next + 9 < lists.size()) hwy::Prefetch(lists[next + 9].entries);
   for (const size_t ahead : {next + 6, next + 3}) {
     if (ahead >= lists.size()) continue;
+    const bool primitives = ahead == next + 6;
     const TileLists::Reference& list = lists[ahead];
     const Packet& packet = *packets[list.packet];
     for (uint32_t e = 0; e < std::min(list.count, kEntries); ++e) {
-      if ((list.entries[e] & kSmallEntry) == 0) break;
-      const SmallPrimitive& small = packet.small[list.entries[e] & ~kSmallEntry];
-      if (ahead == next + 6) {
-        hwy::Prefetch(&small);
+      const uint32_t entry = list.entries[e];
+      if ((entry & kSmallEntry) == 0) {
+        const PrimitiveRecord& primitive = packet.primitives[entry];
+        if (primitives) {
+          const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
+          for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+        } else {
+          for (const float* vertex : primitive.vertex) hwy::Prefetch(vertex);
+        }
       } else {
-        const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
-        hwy::Prefetch(packet.records[small.range] +
-                      size_t{small.vertex[0]} * draw.setup.layout.stride);
+        const SmallPrimitive& small = packet.small[entry & ~kSmallEntry];
+        if (primitives) {
+          hwy::Prefetch(&small);
+        } else {
+          const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
+          hwy::Prefetch(packet.records[small.range] +
+                        size_t{small.vertex[0]} * draw.setup.layout.stride);
+        }
       }
     }
   }
@@ -166,8 +178,8 @@ void run_back(const std::vector<DrawRecord>& draws,
     tile.mirror_height = target.mirrored ? target.height : 0;
   }
   TilePlanes planes(target, worker.tiles, tile_index);
-  // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
-  // what came before it.
+  // Clears and lists, both in the order of their packets, merged; from the last
+  // clear on that hides what came before it.
   const std::span<const TileLists::Reference> lists = work.lists.tile(tile_index);
   size_t clear = 0, next = 0;
   for (size_t i = work.clears.size(); i-- > 0;) {
