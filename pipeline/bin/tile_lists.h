@@ -13,9 +13,11 @@ namespace clearpipe::pipeline {
 
 class TileLists {
  public:
+  // A packet that touches the tile, and its entries of Bins::primitives().
   struct Reference {
+    const uint32_t* entries;
+    uint32_t count;
     uint32_t packet;
-    uint32_t list;  // number in the packet's Bins::lists()
   };
 
   // Takes the lists of `count` packets; bins_of(i) gives the Bins of packet i, null for one
@@ -37,9 +39,9 @@ class TileLists {
     for (size_t i = count; i-- > 0;) {
       const Bins* bins = bins_of(i);
       if (bins == nullptr) continue;
-      const std::span<const Bins::List> lists = bins->lists();
-      for (size_t l = 0; l < lists.size(); ++l) {
-        references_[--start_[lists[l].tile]] = {static_cast<uint32_t>(i), static_cast<uint32_t>(l)};
+      for (const Bins::List& list : bins->lists()) {
+        references_[--start_[list.tile]] = {bins->primitives(list).data(), list.count,
+                                            static_cast<uint32_t>(i)};
       }
     }
   }

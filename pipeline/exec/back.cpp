@@ -1,7 +1,10 @@
-// The back phase of a tile: each packet's primitives in order - coverage, planes, shading - between
-// loading the planes that are needed and merging those that changed.
-// SPDX-License-Identifier: MIT
+// The back phase of a tile: each packet's primitives in order - coverage,
+// planes, shading - between loading the planes that are needed and merging
+// those that changed. SPDX-License-Identifier: MIT
+#include <hwy/cache_control.h>
+
 #include <algorithm>
+#include <atomic>
 #include <bit>
 
 #include "pipeline/exec/frame_data.h"
@@ -45,7 +48,8 @@ void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& p
   }
 }
 
-// The coverage of each sample: where it is not found at the samples, it is full (3.2.1).
+// The coverage of each sample: where it is not found at the samples, it is full
+// (3.2.1).
 bool cover(const PrimitiveRecord& primitive, const TilePlanes& planes, Coverage* coverage) {
   const Tile& tile = planes.tile();
   if (primitive.multisample) return cover_samples(primitive, tile.x, tile.y, coverage);
@@ -143,6 +147,44 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
   }
 }
 
+// Scattered primitives make many short lists, and each would wait for memory
+// three times: for its entries, the primitive, the vertices.
+void fetch_ahead(const std::vector<DrawRecord>& draws,
+                 const std::vector<std::unique_ptr<Packet>>& packets,
+                 std::span<const TileLists::Reference> lists, size_t next) {
+  constexpr uint32_t kEntries = 3;  // of a list
+  if (next + 9 < lists.size()) hwy::Prefetch(lists[next + 9].entries);
+  for (const size_t ahead : {next + 6, next + 3}) {
+    if (ahead >= lists.size()) continue;
+    const bool primitives = ahead == next + 6;
+    const TileLists::Reference& list = lists[ahead];
+    const Packet& packet = *packets[list.packet];
+    for (uint32_t e = 0; e < std::min(list.count, kEntries); ++e) {
+      const uint32_t entry = list.entries[e];
+      if ((entry & kSmallEntry) == 0) {
+        const PrimitiveRecord& primitive = packet.primitives[entry];
+        if (primitives) {
+          const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
+          for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+        } else {
+          for (const float* vertex : primitive.vertex) hwy::Prefetch(vertex);
+        }
+      } else {
+        const SmallPrimitive& small = packet.small[entry & ~kSmallEntry];
+        if (primitives) {
+          hwy::Prefetch(&small);
+        } else {
+          const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
+          hwy::Prefetch(packet.records[small.range] +
+                        size_t{small.vertex[0]} * draw.setup.layout.stride);
+        }
+      }
+    }
+  }
+  // GCC drops calls of a function that does nothing but fetch ahead.
+  std::atomic_signal_fence(std::memory_order_acq_rel);
+}
+
 }  // namespace
 
 void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
@@ -187,9 +229,10 @@ void run_back(const std::vector<DrawRecord>& draws,
       clear_planes(packets[work.clears[clear++]]->clear, target, planes, depth);
       continue;
     }
-    const Packet& packet = *packets[lists[next].packet];
-    const Bins::List& list = packet.bins.lists()[lists[next].list];
-    shade_packet(draws, packet, packet.bins.primitives(list), target, planes, depth, worker);
+    fetch_ahead(draws, packets, lists, next);
+    const TileLists::Reference& list = lists[next];
+    shade_packet(draws, *packets[list.packet], {list.entries, list.count}, target, planes, depth,
+                 worker);
     ++next;
   }
   worker.small.flush();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/exec/small.h"
 
+#include <hwy/cache_control.h>
+
 #include <new>
 #include <type_traits>
 
@@ -38,6 +40,9 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
+    if (taken + 4 < entries.size() && (entries[taken + 4] & kSmallEntry) != 0) {
+      hwy::Prefetch(&primitives[entries[taken + 4] & ~kSmallEntry]);
+    }
     if (primitive.range != range) {
       range = primitive.range;
       const DrawState& next = *draws[packet.ranges[range].draw].state;

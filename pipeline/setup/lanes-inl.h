@@ -36,9 +36,10 @@ HWY_INLINE VecI fate(LaneFate value) { return hn::Set(TagI(), static_cast<int32_
 // Window x and y of the vertices of a vector of primitives, and what their outcodes say.
 template <int kVertices>
 struct LaneVertices {
-  VecF x[kVertices], y[kVertices];
-  MaskI outside;  // of a clip plane, as a whole
-  MaskI crosses;  // some plane
+  VecF x[kVertices], y[kVertices];  // not set if all are outside
+  MaskI outside;                    // of a clip plane, as a whole
+  MaskI crosses;                    // some plane
+  bool all_outside;
 
   HWY_INLINE LaneVertices(const SetupState& state, const LaneJob& job, size_t i) {
     const TagI d;
@@ -47,19 +48,29 @@ struct LaneVertices {
     const auto* codes = reinterpret_cast<const int32_t*>(job.records + vertex_record::kOutcode);
     const float* window = job.records + vertex_record::kWindow;
     VecI any = hn::Zero(d), all = hn::Set(d, ~int32_t{kOutcodeGuard});
+    VecI at[kVertices];
     for (int k = 0; k < kVertices; ++k) {
       const VecI number = hn::IfThenElseZero(in_use, hn::LoadU(d, job.corner[k] + i));
-      const VecI at = hn::Mul(number, hn::Set(d, state.layout.stride));
-      const VecI outcode = hn::GatherIndex(d, codes, at);
+      at[k] = hn::Mul(number, hn::Set(d, state.layout.stride));
+      const VecI outcode = hn::GatherIndex(d, codes, at[k]);
       any = hn::Or(any, outcode);
       all = hn::And(all, outcode);
-      x[k] = hn::GatherIndex(df, window, at);
-      y[k] = hn::GatherIndex(df, window + 1, at);
     }
     outside = hn::Ne(all, hn::Zero(d));
     crosses = hn::Ne(any, hn::Zero(d));
+    all_outside = hn::AllTrue(d, outside);
+    if (all_outside) return;
+    for (int k = 0; k < kVertices; ++k) {
+      x[k] = hn::GatherIndex(df, window, at[k]);
+      y[k] = hn::GatherIndex(df, window + 1, at[k]);
+    }
   }
 };
+
+HWY_INLINE void settle_nothing(const LaneJob& job, size_t i) {
+  static_assert(static_cast<int>(LaneFate::kNothing) == 0);
+  hn::StoreU(hn::Zero(TagI()), TagI(), job.fate + i);
+}
 
 // As snap() does below its limit; beyond it `far` is set.
 HWY_INLINE VecI snap_lanes(VecF pixels, MaskI& far) {

@@ -58,6 +58,7 @@ HWY_INLINE void setup_line_lanes(const SetupState& state, const LaneJob& job, si
   const TagF df;
   const VecF zero = hn::Zero(df), one = hn::Set(df, 1.0f), half = hn::Set(df, 0.5f);
   const LaneVertices<2> v(state, job, i);
+  if (v.all_outside) return settle_nothing(job, i);
   const VecF dx = hn::Sub(v.x[1], v.x[0]), dy = hn::Sub(v.y[1], v.y[0]);
   const MaskF point = hn::And(hn::Eq(dx, zero), hn::Eq(dy, zero));
   const MaskF x_major = hn::Ge(hn::Abs(dx), hn::Abs(dy));

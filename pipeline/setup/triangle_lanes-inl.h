@@ -33,6 +33,7 @@ HWY_INLINE MaskI is_culled(const RasterState& raster, MaskI front) {
 HWY_INLINE void setup_triangle_lanes(const SetupState& state, const LaneJob& job, size_t i) {
   const TagI d;
   const LaneVertices<3> vertices(state, job, i);
+  if (vertices.all_outside) return settle_nothing(job, i);
   const VecF half = hn::Set(TagF(), 0.5f);
   MaskI general = vertices.crosses;
   Corner corner[3];
