@@ -96,8 +96,10 @@ inline uint32_t rgba(uint32_t r, uint32_t g, uint32_t b, uint32_t a) {
 // Components of fewer bits are scaled to 255 and rounded.
 inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
   const uint32_t s = type == GL_UNSIGNED_BYTE ? 0 : p[0] | static_cast<uint32_t>(p[1]) << 8;
+  // 255 v / max, rounded to nearest, without a division, so that rows of pixels become vectors.
   auto scaled = [s](uint32_t shift, uint32_t max) {
-    return ((s >> shift & max) * 510 + max) / (2 * max);
+    const uint32_t v = s >> shift & max;
+    return max == 31 ? (v * 527 + 23) >> 6 : max == 63 ? (v * 259 + 33) >> 6 : v * (255 / max);
   };
   switch (type) {
     case GL_UNSIGNED_SHORT_5_6_5:

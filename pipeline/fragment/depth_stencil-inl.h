@@ -111,12 +111,16 @@ HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, cons
   const V stored_stencil = hn::And(packed, hn::Set(d, 255));
   auto passes = live;
   V new_depth = stored_depth, new_stencil = stored_stencil;
-  if (stencil.enabled) {
+  // What a state leaves alone is not worked out: the branches are the same for a whole draw.
+  const bool stencil_fails = stencil.enabled && stencil.func != CompareFunc::kAlways;
+  if (stencil_fails) {
     const V mask = hn::Set(d, stencil.value_mask);
     const V reference = hn::Set(d, stencil.reference & stencil.value_mask);
     passes = hn::And(passes, compare(d, stencil.func, reference, hn::And(stored_stencil, mask)));
-    const V failed = stencil_operation(d, stencil.fail, stored_stencil, stencil.reference);
-    new_stencil = hn::IfThenElse(hn::AndNot(passes, live), failed, new_stencil);
+    if (stencil.fail != StencilOp::kKeep) {
+      const V failed = stencil_operation(d, stencil.fail, stored_stencil, stencil.reference);
+      new_stencil = hn::IfThenElse(hn::AndNot(passes, live), failed, new_stencil);
+    }
   }
   const auto stencil_passes = passes;
   if (depth.test) {
@@ -126,13 +130,18 @@ HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, cons
     }
   }
   if (stencil.enabled) {
-    const V depth_failed =
-        stencil_operation(d, stencil.depth_fail, stored_stencil, stencil.reference);
-    const V passed = stencil_operation(d, stencil.pass, stored_stencil, stencil.reference);
-    new_stencil = hn::IfThenElse(hn::AndNot(passes, stencil_passes), depth_failed, new_stencil);
-    new_stencil = hn::IfThenElse(passes, passed, new_stencil);
-    const V writable = hn::Set(d, stencil.write_mask);
-    new_stencil = hn::Or(hn::And(new_stencil, writable), hn::AndNot(writable, stored_stencil));
+    if (depth.test && stencil.depth_fail != StencilOp::kKeep) {
+      const V failed = stencil_operation(d, stencil.depth_fail, stored_stencil, stencil.reference);
+      new_stencil = hn::IfThenElse(hn::AndNot(passes, stencil_passes), failed, new_stencil);
+    }
+    if (stencil.pass != StencilOp::kKeep) {
+      const V passed = stencil_operation(d, stencil.pass, stored_stencil, stencil.reference);
+      new_stencil = hn::IfThenElse(passes, passed, new_stencil);
+    }
+    if (stencil.write_mask != 0xff) {
+      const V writable = hn::Set(d, stencil.write_mask);
+      new_stencil = hn::Or(hn::And(new_stencil, writable), hn::AndNot(writable, stored_stencil));
+    }
   }
   packed =
       depth.whole ? hn::Xor(new_depth, highest) : hn::Or(hn::ShiftLeft<8>(new_depth), new_stencil);

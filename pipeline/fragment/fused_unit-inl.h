@@ -52,6 +52,11 @@ HWY_INLINE Pair<VecF> reciprocal(const Pair<VecF>& v) {
 // for the second row of the quads. Keys are those of sample.h; weights have 8 bits.
 class QuadLevels {
  public:
+  HWY_INLINE void reset() {
+    corner_ = -1;
+    done_ = 0;
+  }
+
   HWY_INLINE void set_row(const Tile& tile, int row) {
     const int corner = quad_row(tile, tile.y + row);
     if (corner != corner_) done_ = 0;
@@ -99,8 +104,8 @@ class QuadLevels {
  private:
   static constexpr int kLanes = kGroup / 2;  // quads of a group
 
-  int corner_ = -1;
-  uint32_t done_ = 0;  // bit g: group g is found
+  int corner_;
+  uint32_t done_;  // bit g: group g is found
   alignas(64) int32_t keys_[kTileWidth / 2];
   alignas(64) int32_t weights_[kTileWidth / 2];
 };
@@ -121,7 +126,7 @@ class FusedUnit {
     sampler_[0] = row_sampler(unit_->fused_min);
     sampler_[1] = row_sampler(unit_->fused_mag);
     has_levels_ = unit_->sample.needs_lod && sampler_[0] != nullptr;
-    if (has_levels_) levels_ = QuadLevels();
+    if (has_levels_) levels_.reset();
   }
 
   // The texture's colours of halves of a row; x and w are those of the row's pixels.
