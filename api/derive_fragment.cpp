@@ -123,18 +123,6 @@ Combiner derive_combine(const TextureUnitState& s, size_t unit) {
   return c;
 }
 
-int argument_count(Combine function) {
-  switch (function) {
-    case Combine::kReplace:
-      return 1;
-    case Combine::kInterpolate:
-    case Combine::kModulateAdd:
-      return 3;
-    default:
-      return 2;
-  }
-}
-
 // Whether every unit whose texture the combiner uses samples one; else it is as if texture blending
 // were disabled for the combiner's unit (OES_texture_env_crossbar).
 bool has_its_textures(const Combiner& combiner,

@@ -123,7 +123,9 @@ TEST_F(X11Test, LockedWindow) {
     auto* first = reinterpret_cast<uint8_t*>(pointer);
     const uint32_t value = (bytes == 2 ? 31u : 255u) << red;
     // The second time it holds what the first left.
-    if (destroyed) EXPECT_EQ(std::memcmp(first, &value, bytes == 2 ? 2 : 3), 0);
+    if (destroyed) {
+      EXPECT_EQ(std::memcmp(first, &value, bytes == 2 ? 2 : 3), 0);
+    }
     for (EGLint y = 0; y < 20; ++y) {
       for (EGLint x = 0; x < 24; ++x) {
         const uint32_t pixel = x < 8 && y < 8 ? value : 0;

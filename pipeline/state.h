@@ -171,6 +171,19 @@ enum class Combine : uint8_t {
   kDot3Rgb,
   kDot3Rgba
 };
+// How many arguments a function has; those behind them are not looked at.
+constexpr int argument_count(Combine function) {
+  switch (function) {
+    case Combine::kReplace:
+      return 1;
+    case Combine::kInterpolate:
+    case Combine::kModulateAdd:
+      return 3;
+    default:
+      return 2;
+  }
+}
+
 enum class CombineSource : uint8_t {
   kTexture0,
   kTexture1,

@@ -56,18 +56,6 @@ inline CombinerInput combiner_input(const CombineArgument& argument, int channel
   return input;
 }
 
-constexpr int argument_count(Combine function) {
-  switch (function) {
-    case Combine::kReplace:
-      return 1;
-    case Combine::kInterpolate:
-    case Combine::kModulateAdd:
-      return 3;
-    default:
-      return 2;
-  }
-}
-
 // Arg - 1/2.
 template <class D, class V>
 HWY_INLINE V centred(D d, V v) {
