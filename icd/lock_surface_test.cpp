@@ -48,7 +48,9 @@ TEST_F(LockSurfaceTest, Configs) {
     const bool lockable = (attrib(c, EGL_SURFACE_TYPE) & EGL_LOCK_SURFACE_BIT_KHR) != 0;
     EXPECT_EQ(lockable, attrib(c, EGL_SAMPLES) == 0);
     EXPECT_EQ(attrib(c, EGL_MATCH_FORMAT_KHR) == EGL_NONE, !lockable);
-    if ((attrib(c, EGL_SURFACE_TYPE) & EGL_OPTIMAL_FORMAT_BIT_KHR) != 0) EXPECT_TRUE(lockable);
+    if ((attrib(c, EGL_SURFACE_TYPE) & EGL_OPTIMAL_FORMAT_BIT_KHR) != 0) {
+      EXPECT_TRUE(lockable);
+    }
   }
   for (const EGLint format : {EGL_FORMAT_RGB_565_EXACT_KHR, EGL_FORMAT_RGB_565_KHR}) {
     const EGLConfig c = with_format(format);
