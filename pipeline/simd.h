@@ -6,9 +6,13 @@
 #pragma once
 
 // Scalar code, SSE4, AVX2 and AVX-512 on x86; on other processors what Highway knows of them. The
-// instructions that AVX3_DL has beyond AVX3 are none that pixels need.
+// instructions that AVX3_DL has beyond AVX3 are none that pixels need. A build may omit further ones
+// (CMakeLists.txt, of sanitizers).
+#ifndef CLEARPIPE_OMITTED_TARGETS
+#define CLEARPIPE_OMITTED_TARGETS 0
+#endif
 #define HWY_COMPILE_ALL_ATTAINABLE
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | CLEARPIPE_OMITTED_TARGETS)
 
 namespace clearpipe::pipeline {
 
