@@ -30,12 +30,6 @@ uint64_t mask_of(const PrimitiveRecord& primitive) {
   return mask;
 }
 
-void set_plane(const Plane& plane, SmallPlanes::Four& out, int i) {
-  out.value[i] = plane.value;
-  out.dx[i] = plane.dx;
-  out.dy[i] = plane.dy;
-}
-
 }  // namespace
 
 bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out) {
@@ -47,32 +41,6 @@ bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out) {
   out.kind = primitive.kind;
   out.back_facing = primitive.back_facing;
   return true;
-}
-
-void make_small_planes(const SetupState& state, const float* records,
-                       const SmallPrimitive& primitive, SmallPlanes& out) {
-  PrimitiveRecord record;
-  const int corners = static_cast<int>(primitive.kind) + 1;
-  for (int i = 0; i < corners; ++i) {
-    record.vertex[i] = records + size_t{primitive.vertex[i]} * state.layout.stride;
-  }
-  record.size = primitive.size;
-  record.kind = primitive.kind;
-  record.back_facing = primitive.back_facing;
-  PrimitivePlanes planes;
-  make_planes(state, record, planes);
-  out.x_ref = planes.x_ref;
-  out.y_ref = planes.y_ref;
-  out.perspective = planes.perspective;
-  out.flat_colour = planes.flat_colour;
-  set_plane(planes.depth, out.window, kDepthPlane);
-  set_plane(planes.inv_w, out.window, kInverseWPlane);
-  set_plane(planes.fog, out.fog_group, kFogPlane);
-  for (int i = 0; i < 4; ++i) set_plane(planes.colour[i], out.colour, i);
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if ((state.inputs.texture_units >> unit & 1) == 0) continue;
-    for (int i = 0; i < 4; ++i) set_plane(planes.texture[unit][i], out.texture[unit], i);
-  }
 }
 
 }  // namespace clearpipe::pipeline
