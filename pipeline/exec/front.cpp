@@ -191,10 +191,10 @@ class FrontWorker {
       while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
         count += ranges[end++].primitive_count;
       }
-      const bool in_lanes = corners > 1 && draws_small_;
+      const auto kind = static_cast<PrimitiveKind>(corners - 1);
+      const bool in_lanes = draws_small_;
       if (in_lanes) {
-        (corners == 3 ? setup_triangles : setup_lines)(draw.state->setup,
-                                                       lane_job(records_, lanes_, first, count));
+        setup_lanes(kind, draw.state->setup, lane_job(records_, lanes_, first, count));
       }
       for (; r < end; first += ranges[r++].primitive_count) {
         const DrawState& state = *draws[ranges[r].draw].state;
@@ -204,7 +204,7 @@ class FrontWorker {
           if (fate == LaneFate::kGeneral) {
             emit_corners(state, ranges[r].draw, corners, i, packet);
           } else if (fate != LaneFate::kNothing) {
-            emit_settled(corners, fate, i, packet);
+            emit_settled(state.setup, kind, fate, i, packet);
           }
         }
       }
@@ -212,8 +212,15 @@ class FrontWorker {
   }
 
   // A primitive that setup in lanes has settled.
-  void emit_settled(int corners, LaneFate fate, uint32_t i, Packet& packet) {
+  void emit_settled(const SetupState& setup, PrimitiveKind kind, LaneFate fate, uint32_t i,
+                    Packet& packet) {
     const bool other = fate == LaneFate::kSmallOther;
+    float size = 0;
+    if (kind == PrimitiveKind::kLine) size = other ? -1.0f : 1.0f;
+    if (kind == PrimitiveKind::kPoint && setup.raster.point_sprite) {
+      const float* record = records_ + ptrdiff_t{lanes_.corner[0][i]} * setup.layout.stride;
+      size = supported_width(record[vertex_record::kPointSize]);
+    }
     const int squares = lanes_.more[i] != 0 ? kSquaresOfLane : 1;
     for (int square = 0; square < squares; ++square) {
       const uint64_t mask = lanes_.mask(i, square);
@@ -223,9 +230,9 @@ class FrontWorker {
       small.mask = mask;
       small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
       small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
-      small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
-      small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
-      small.back_facing = corners == 3 && other;
+      small.kind = kind;
+      small.size = size;
+      small.back_facing = kind == PrimitiveKind::kTriangle && other;
       add_last_small(i, packet);
     }
   }
@@ -300,8 +307,8 @@ class FrontWorker {
   std::array<uint32_t, kPacketVertices> elements_;
   uint32_t run_count_ = 0;
   std::array<VertexRun, kPacketPrimitives> runs_;
-  const float* records_ = nullptr;    // the vertices of the job at hand
-  LaneSet<kPacketPrimitives> lanes_;  // of points, their corners alone
+  const float* records_ = nullptr;  // the vertices of the job at hand
+  LaneSet<kPacketPrimitives> lanes_;
   uint32_t generation_ = 0;
   std::array<uint32_t, kTableSize> table_generation_{};
   std::array<uint16_t, kTableSize> table_vertex_{};

@@ -23,15 +23,6 @@ struct ChainStep {
   uint8_t unit = 0;  // of texture stages
 };
 
-// How the fused loop samples one level of a unit's texture. kAny calls the unit's sample function,
-// levels of detail and all.
-enum class FusedSampler : uint8_t {
-#define FUSED_SAMPLER(filter, s, t) k##filter##s##t,
-#include "pipeline/fragment/fused.def"
-#undef FUSED_SAMPLER
-  kAny
-};
-
 struct UnitProgram {
   SampleState sample;
   SampleFunction sample_function = nullptr;

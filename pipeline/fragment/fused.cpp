@@ -42,21 +42,6 @@ static FusedFunction find(bool textured) {
 
 namespace {
 
-// The sampler of fused.def for one of a unit's filters. sRGB-encoded images are left to the chain.
-FusedSampler sampler_of(const SampleState& state, Filter filter) {
-  const SampleLevel& level = state.levels[state.first_level];
-  const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
-  const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);
-  if (state.sampler.max_anisotropy > 1) return FusedSampler::kAny;
-#define FUSED_SAMPLER(f, wrap_s, wrap_t)                                                \
-  if (filter == Filter::k##f && s == WrapKind::k##wrap_s && t == WrapKind::k##wrap_t) { \
-    return FusedSampler::k##f##wrap_s##wrap_t;                                          \
-  }
-#include "pipeline/fragment/fused.def"
-#undef FUSED_SAMPLER
-  return FusedSampler::kAny;
-}
-
 bool is(const CombineArgument& argument, int source, CombineOperand operand) {
   return static_cast<int>(argument.source) == source && argument.operand == operand;
 }
@@ -85,8 +70,10 @@ void select_fused(FragmentProgram& program) {
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     if ((program.inputs.texture_units >> u & 1) == 0) continue;
     UnitProgram& unit = program.unit[u];
-    unit.fused_min = sampler_of(unit.sample, unit.sample.sampler.min);
-    unit.fused_mag = sampler_of(unit.sample, unit.sample.sampler.mag);
+    if (unit.sample.sampler.max_anisotropy <= 1) {
+      unit.fused_min = unit.sample.min;
+      unit.fused_mag = unit.sample.mag;
+    }
     unit.simple_environment = has_simple_environment(unit.combiner, u);
   }
   program.fused = fragment::find(program.inputs.texture_units != 0);

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "pipeline/fragment/fused_sample-inl.h"
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
+#include "pipeline/fragment/row_sampler-inl.h"
 #include "pipeline/fragment/sample-inl.h"
 #include "pipeline/fragment/texcoord-inl.h"
 #include "pipeline/fragment/texenv-inl.h"
@@ -141,7 +141,7 @@ class FusedUnit {
       levels_.find(*primitive_, planes_, unit_->sample, *tile_, groups);
       sample_levels(halves, groups);
     } else {
-      sampler_[0](unit_->sample.levels[unit_->sample.first_level], at_, halves, colours_);
+      sampler_[0](unit_->sample.levels[unit_->sample.first_level], s_, t_, halves, colours_);
     }
   }
 
@@ -183,14 +183,14 @@ class FusedUnit {
         ss = hn::Mul(ss, reciprocal_q);
         tt = hn::Mul(tt, reciprocal_q);
       }
-      hn::Store(ss, d, at_.s + i);
-      hn::Store(tt, d, at_.t + i);
+      hn::Store(ss, d, s_ + i);
+      hn::Store(tt, d, t_ + i);
     }
   }
 
   HWY_INLINE void sample_key(int key, Halves halves, RowColours& out) const {
     const SampleState& state = unit_->sample;
-    sampler_[key & 1](state.levels[state.first_level + (key >> 1)], at_, halves, out);
+    sampler_[key & 1](state.levels[state.first_level + (key >> 1)], s_, t_, halves, out);
   }
 
   // Levels and filters that follow each quad's level of detail. Most rows have one.
@@ -241,8 +241,8 @@ class FusedUnit {
   HWY_NOINLINE void sample_any(int row, int group, FragmentBatch& batch) {
     const int column = group * kGroup;
     batch.count = kGroup;
-    std::copy_n(at_.s + column, kGroup, batch.s);
-    std::copy_n(at_.t + column, kGroup, batch.t);
+    std::copy_n(s_ + column, kGroup, batch.s);
+    std::copy_n(t_ + column, kGroup, batch.t);
     if (unit_->sample.needs_lod) {
       for (int i = 0; i < kGroup; ++i) {
         batch.offset[i] = static_cast<uint16_t>(row * kTileWidth + column + i);
@@ -268,7 +268,7 @@ class FusedUnit {
   int index_;
   bool q_is_one_, q_is_inv_w_, has_levels_;
   RowSampler sampler_[2];  // of the minification and the magnification filter
-  RowCoordinates at_;
+  alignas(64) float s_[kTileWidth], t_[kTileWidth];
   RowColours colours_;  // 8-bit values, but of sample_any's
   RowColours next_;     // those of the next level
   QuadLevels levels_;

@@ -59,6 +59,16 @@ HWY_INLINE Vec16 narrow_scaled(const Pair<VecF>& f) {
   return narrow({round_colour(d, f.lower), round_colour(d, f.upper)});
 }
 
+// What narrow() made, in the order of the pixels.
+HWY_INLINE Vec16 in_order(Vec16 v) {
+  const Tag16 d;
+  if constexpr (hn::MaxLanes(Tag16()) == 8) return v;
+  const hn::Repartition<uint64_t, Tag16> d64;
+  const auto halves = hn::BitCast(d64, v);
+  return hn::ConcatLowerLower(d, hn::BitCast(d, hn::ConcatOdd(d64, halves, halves)),
+                              hn::BitCast(d, hn::ConcatEven(d64, halves, halves)));
+}
+
 // A 16-bit mask vector (all bits or none) as masks of both halves.
 HWY_INLINE Pair<MaskI> widen_mask(Vec16 mask) {
   const TagI d;

@@ -3,7 +3,8 @@
 // sample_axis-inl.h.
 //
 // Two arithmetics exist. With REPEAT and CLAMP_TO_EDGE, weights have 8 fraction bits and every
-// interpolation rounds to 8 bits. When an axis mirrors, or colours are sRGB-encoded (kFine),
+// interpolation rounds to 8 bits; but for the one-lane target, the samplers of rows have that
+// (sample_row-inl.h). When an axis mirrors, or colours are sRGB-encoded (kFine),
 // weights have 15 bits and colours 13. SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
@@ -21,7 +22,9 @@
 #include "hwy/highway.h"
 #include "pipeline/fragment/anisotropic-inl.h"
 #include "pipeline/fragment/sample_axis-inl.h"
+#include "pipeline/fragment/sample_batch-inl.h"
 #include "pipeline/fragment/sample_colours-inl.h"
+#include "pipeline/fragment/sample_level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::sampling {
@@ -130,46 +133,6 @@ void sample_one_level(const SampleState& state, FragmentBatch& batch, int unit) 
   }
 }
 
-// Where a fragment samples: key as sample.h says; weight is that of the next level, zero when it is
-// not needed.
-struct LevelChoice {
-  VecInt key, weight;
-};
-
-// 3.7.7 and 3.7.8: lambda = lod + bias; magnified when lambda <= c; else the nearest level, or two.
-template <bool kFine>
-HWY_INLINE LevelChoice choose_level(const SampleState& state, VecFloat lod) {
-  const TagFloat df;
-  const TagInt di;
-  const VecFloat limit = hn::Set(df, 64.0f);
-  VecFloat lambda = hn::Add(lod, hn::Set(df, state.sampler.lod_bias));
-  lambda = hn::Max(hn::Min(number_or_zero(lambda), limit), hn::Neg(limit));
-  const VecInt last = hn::Set(di, state.last_level - state.first_level);
-  VecInt level = hn::Zero(di);
-  VecInt weight = hn::Zero(di);
-  if (state.sampler.mip == MipFilter::kNearest) {
-    // Halfway between levels: up without a bias, to the even level with one.
-    level = state.sampler.lod_bias == 0.0f
-                ? hn::ConvertTo(di, hn::Floor(hn::Add(lambda, hn::Set(df, 0.5f))))
-                : round_to_int(lambda);
-    level = hn::Min(hn::Max(level, hn::Zero(di)), last);
-  } else if (state.sampler.mip == MipFilter::kLinear) {
-    const VecFloat whole = hn::Floor(lambda);
-    level = hn::ConvertTo(di, whole);
-    weight = fraction_weight<kFine>(hn::Sub(lambda, whole));
-    const auto between = hn::And(hn::Gt(level, hn::Set(di, -1)), hn::Lt(level, last));
-    weight = hn::IfThenElseZero(between, weight);
-    level = hn::Min(hn::Max(level, hn::Zero(di)), last);
-  }
-  VecInt key = hn::Add(level, level);
-  if (state.sampler.min != state.sampler.mag) {
-    const auto magnified = hn::RebindMask(di, hn::Le(lambda, hn::Set(df, state.lod_threshold)));
-    key = hn::IfThenElse(magnified, hn::Set(di, 1), key);
-    weight = hn::IfThenZeroElse(magnified, weight);
-  }
-  return {key, weight};
-}
-
 // Samples the fragments of `wanted`, one pass for each distinct key among them. A fragment's result
 // depends on its own key alone.
 template <class Axes, bool kFine>
@@ -190,33 +153,6 @@ HWY_NOINLINE Colours sample_keys(const SampleState& state, const Axes& axes, Vec
     wanted = hn::AndNot(mine, wanted);
   }
   return result;
-}
-
-// What choose_level gives for a batch.
-struct BatchChoice {
-  HWY_ALIGN int32_t key[kBatchSize];
-  HWY_ALIGN int32_t weight[kBatchSize];
-  bool same_key = true;     // one key for the whole batch
-  bool two_levels = false;  // some weight is not zero
-};
-
-template <bool kFine>
-HWY_INLINE void choose_levels(const SampleState& state, const FragmentBatch& batch,
-                              BatchChoice& choices) {
-  const TagFloat df;
-  const TagInt di;
-  const size_t count = static_cast<size_t>(batch.count);
-  const bool cube = state.is_cube();
-  for (size_t i = 0; i < count; i += hn::Lanes(df)) {
-    LevelChoice choice = choose_level<kFine>(state, hn::Load(df, batch.lod + i));
-    if (cube) choice.key = hn::Add(choice.key, hn::Load(di, batch.face + i));
-    hn::Store(choice.key, di, choices.key + i);
-    hn::Store(choice.weight, di, choices.weight + i);
-    if (!hn::AllTrue(di, hn::Eq(choice.key, hn::Set(di, choices.key[0])))) {
-      choices.same_key = false;
-    }
-    if (!hn::AllTrue(di, hn::Eq(choice.weight, hn::Zero(di)))) choices.two_levels = true;
-  }
 }
 
 // The whole batch on one level, or between it and the next.
@@ -289,6 +225,7 @@ SampleFunction choose_filter(const SampleState& state) {
                                               : sample_one_level<Axes, kFine, false>;
 }
 
+#if HWY_TARGET == HWY_SCALAR
 template <WrapKind kS>
 SampleFunction choose_wrap_t(const SampleState& state, WrapKind t) {
   switch (t) {
@@ -301,16 +238,11 @@ SampleFunction choose_wrap_t(const SampleState& state, WrapKind t) {
   }
 }
 
-// The kernel of a sampler on this target.
-inline SampleFunction choose_sample(const SampleState& state) {
+// A sampler that is one of fused.def.
+inline SampleFunction choose_row_sampler(const SampleState& state) {
   const SampleLevel& level = state.levels[state.first_level];
-  const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
   const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);
-  if (state.decode != nullptr) return choose_filter<SrgbAxes, true>(state);
-  if (s == WrapKind::kMirroredRepeat || t == WrapKind::kMirroredRepeat) {
-    return choose_filter<MirroredAxes, true>(state);
-  }
-  switch (s) {
+  switch (wrap_kind(state.sampler.wrap_s, level.width)) {
     case WrapKind::kRepeatPowerOfTwo:
       return choose_wrap_t<WrapKind::kRepeatPowerOfTwo>(state, t);
     case WrapKind::kRepeatOther:
@@ -318,6 +250,19 @@ inline SampleFunction choose_sample(const SampleState& state) {
     default:
       return choose_wrap_t<WrapKind::kClampToEdge>(state, t);
   }
+}
+#else
+inline SampleFunction choose_row_sampler(const SampleState& state) {
+  if (state.sampler.max_anisotropy > 1) return sample_anisotropic<sample_rows<true>>;
+  return state.needs_lod || state.is_cube() ? sample_rows<true> : sample_rows<false>;
+}
+#endif
+
+// The kernel of a sampler on this target.
+inline SampleFunction choose_sample(const SampleState& state) {
+  if (state.decode != nullptr) return choose_filter<SrgbAxes, true>(state);
+  if (state.min == FusedSampler::kAny) return choose_filter<MirroredAxes, true>(state);
+  return choose_row_sampler(state);
 }
 
 }  // namespace HWY_NAMESPACE

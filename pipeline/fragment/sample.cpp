@@ -9,6 +9,7 @@
 
 #include "hwy/highway.h"
 #include "pipeline/fragment/sample-inl.h"
+#include "pipeline/fragment/sample_row-inl.h"
 #include "pipeline/srgb.h"
 
 #if HWY_ONCE
@@ -44,6 +45,21 @@ int take_levels(const Image* image, int face, int first, int wanted, SampleLevel
   return last;
 }
 
+// The sampler of fused.def for one of the filters. It does not decode sRGB.
+FusedSampler sampler_of(const SampleState& state, Filter filter) {
+  const SampleLevel& level = state.levels[state.first_level];
+  const WrapKind s = wrap_kind(state.sampler.wrap_s, level.width);
+  const WrapKind t = wrap_kind(state.sampler.wrap_t, level.height);
+  if (state.decode != nullptr) return FusedSampler::kAny;
+#define FUSED_SAMPLER(f, wrap_s, wrap_t)                                                \
+  if (filter == Filter::k##f && s == WrapKind::k##wrap_s && t == WrapKind::k##wrap_t) { \
+    return FusedSampler::k##f##wrap_s##wrap_t;                                          \
+  }
+#include "pipeline/fragment/fused.def"
+#undef FUSED_SAMPLER
+  return FusedSampler::kAny;
+}
+
 }  // namespace
 
 SampleState make_sample_state(const TextureUnit& unit) {
@@ -70,6 +86,8 @@ SampleState make_sample_state(const TextureUnit& unit) {
                                 sampler.mip != MipFilter::kNone
                             ? 0.5f
                             : 0.0f;
+  state.min = sampler_of(state, sampler.min);
+  state.mag = sampler_of(state, sampler.mag);
   return state;
 }
 

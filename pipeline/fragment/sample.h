@@ -33,6 +33,14 @@ inline WrapKind wrap_kind(Wrap wrap, int size) {
   }
 }
 
+// How one level is sampled for many pixels at once (row_sampler-inl.h), kAny: not at all.
+enum class FusedSampler : uint8_t {
+#define FUSED_SAMPLER(filter, s, t) k##filter##s##t,
+#include "pipeline/fragment/fused.def"
+#undef FUSED_SAMPLER
+  kAny
+};
+
 struct SampleState {
   SampleLevel levels[kMaxLevels];
   std::vector<SampleLevel> other_faces;  // of a cube map: the levels from that of -x on
@@ -42,6 +50,7 @@ struct SampleState {
                             // footprint is looked at (anisotropic-inl.h)
   float lod_threshold = 0;  // c: magnification when lod <= c (3.7.8)
   const int32_t* decode = nullptr;  // of sRGB-encoded colours: srgb_to_linear()
+  FusedSampler min = FusedSampler::kAny, mag = FusedSampler::kAny;  // of the filters
 
   bool is_cube() const { return !other_faces.empty(); }
   const SampleLevel& level(int number) const {

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "pipeline/setup/line_lanes-inl.h"
+#include "pipeline/setup/point_lanes-inl.h"
 #include "pipeline/setup/triangle_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,20 +28,20 @@ HWY_INLINE void fetch_ahead(const SetupState& state, const LaneJob& job, int cor
   }
 }
 
-void SetupTriangles(const SetupState& state, const LaneJob& job) {
+template <int kCorners>
+void setup_lanes(const SetupState& state, const LaneJob& job) {
   constexpr size_t kLanes = hn::MaxLanes(TagI());
   for (size_t i = 0; i < job.count; i += kLanes) {
-    fetch_ahead(state, job, 2, i + 2 * kLanes);
-    setup_triangle_lanes(state, job, i);
+    fetch_ahead(state, job, kCorners - 1, i + 2 * kLanes);
+    if constexpr (kCorners == 1) setup_point_lanes(state, job, i);
+    if constexpr (kCorners == 2) setup_line_lanes(state, job, i);
+    if constexpr (kCorners == 3) setup_triangle_lanes(state, job, i);
   }
 }
 
-void SetupLines(const SetupState& state, const LaneJob& job) {
-  constexpr size_t kLanes = hn::MaxLanes(TagI());
-  for (size_t i = 0; i < job.count; i += kLanes) {
-    fetch_ahead(state, job, 1, i + 2 * kLanes);
-    setup_line_lanes(state, job, i);
-  }
+const LaneKernels* kernels() {
+  static constexpr LaneKernels kKernels = {&setup_lanes<1>, &setup_lanes<2>, &setup_lanes<3>};
+  return &kKernels;
 }
 
 }  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE
@@ -50,33 +51,20 @@ HWY_AFTER_NAMESPACE();
 namespace clearpipe::pipeline {
 namespace setup {
 
-HWY_EXPORT(SetupTriangles);
-HWY_EXPORT(SetupLines);
+HWY_EXPORT(kernels);
 
-using SetupFunction = void (*)(const SetupState&, const LaneJob&);
-
-static void choose_target() { select_simd_target(); }
-
-static SetupFunction resolve_triangles() {
-  choose_target();
-  return static_cast<SetupFunction>(HWY_DYNAMIC_DISPATCH(SetupTriangles));
-}
-
-static SetupFunction resolve_lines() {
-  choose_target();
-  return static_cast<SetupFunction>(HWY_DYNAMIC_DISPATCH(SetupLines));
+static const LaneKernels& resolve() {
+  static const LaneKernels& resolved = []() -> const LaneKernels& {
+    select_simd_target();
+    return *HWY_DYNAMIC_DISPATCH(kernels)();
+  }();
+  return resolved;
 }
 
 }  // namespace setup
 
-void setup_triangles(const SetupState& state, const LaneJob& job) {
-  static const setup::SetupFunction function = setup::resolve_triangles();
-  function(state, job);
-}
-
-void setup_lines(const SetupState& state, const LaneJob& job) {
-  static const setup::SetupFunction function = setup::resolve_lines();
-  function(state, job);
+void setup_lanes(PrimitiveKind kind, const SetupState& state, const LaneJob& job) {
+  setup::resolve()[static_cast<size_t>(kind)](state, job);
 }
 
 }  // namespace clearpipe::pipeline

@@ -1,7 +1,8 @@
 // Setup of many primitives at once, one in each lane of a vector: of triangles facing and culling,
-// of triangles and lines the masks of those that are small (small.h), or that are as four small
-// ones. Most primitives of a mesh are done with here; what is left is for setup_triangle and
-// setup_line, which come to the same result by the same arithmetic. SPDX-License-Identifier: MIT
+// of all kinds the masks of those that are small (small.h), or that are as four small ones. Most
+// primitives of a mesh are done with here; what is left is for setup_triangle, setup_line and
+// setup_point, which come to the same result by the same arithmetic.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace clearpipe::pipeline {
 
 enum class LaneFate : uint8_t {
   kNothing,     // culled, outside of a clip plane as a whole, or without a pixel
-  kSmall,       // small primitives: a triangle that faces the viewer, a line along x
+  kSmall,       // small primitives: a triangle that faces the viewer, a line along x, a point
   kSmallOther,  // the same: a triangle that faces away, a line along y
   kGeneral,     // crosses a clip plane, or is not small, or its box is cut by the bounds
 };
@@ -71,10 +72,12 @@ LaneJob lane_job(const float* records, LaneSet<kCount>& set, size_t first, size_
   return job;
 }
 
-// Run the job with the SIMD target in use. Corners are read, and results written, of up to
-// kSetupLanes primitives behind the last, too. Lines are those whose pixels are decided by their
-// centres.
-void setup_triangles(const SetupState& state, const LaneJob& job);
-void setup_lines(const SetupState& state, const LaneJob& job);
+// The setup of each kind of primitive, by PrimitiveKind, on one SIMD target.
+using LaneKernels = std::array<void (*)(const SetupState&, const LaneJob&), 3>;
+
+// Runs the job with the SIMD target in use. Corners are read, and results written, of up to
+// kSetupLanes primitives behind the last, too. Points and lines are those whose pixels are decided
+// by their centres.
+void setup_lanes(PrimitiveKind kind, const SetupState& state, const LaneJob& job);
 
 }  // namespace clearpipe::pipeline

@@ -26,12 +26,13 @@ struct Mesh {
   std::vector<float> records;
   Set set;
 
-  void add_vertex(float x, float y, uint32_t outcode) {
+  void add_vertex(float x, float y, uint32_t outcode, float point_size) {
     const size_t at = records.size();
     records.resize(at + vertex_record::kTexture);
     records[at + vertex_record::kWindow] = x;
     records[at + vertex_record::kWindow + 1] = y;
     std::memcpy(&records[at + vertex_record::kOutcode], &outcode, sizeof(outcode));
+    records[at + vertex_record::kPointSize] = point_size;
   }
 
   const float* vertex(int corner, size_t triangle) const {
@@ -39,9 +40,9 @@ struct Mesh {
   }
 };
 
-// Triangles, or lines that leave out the third corner, of all sizes around a random place; some are
-// degenerate, have corners on the centres or borders of pixels, or coordinates that mean nothing,
-// which outcodes then say.
+// Triangles, or lines and points that leave out further corners, of all sizes around a random
+// place; some are degenerate, have corners on the centres or borders of pixels, or coordinates that
+// mean nothing, which outcodes then say.
 Mesh random_mesh(uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> place(-4, kSide + 4), unit(-1, 1);
@@ -89,7 +90,10 @@ Mesh random_mesh(uint32_t seed) {
           break;
       }
       mesh.set.corner[k][t] = static_cast<int32_t>(3 * t + k);
-      mesh.add_vertex(vx, vy, outcode);
+      // Of many sizes are some that are a whole number, or end in the middle of a pixel.
+      const float point_size = random() % 3 == 0 ? 0.5f * static_cast<float>(random() % 40)
+                                                 : 10 * std::abs(unit(random));
+      mesh.add_vertex(vx, vy, outcode, point_size);
     }
     if (random() % 16 == 0) mesh.set.corner[2][t] = mesh.set.corner[random() % 2][t];
   }
@@ -124,18 +128,28 @@ LaneFate expected_fate(const SetupState& state, int corners, const Mesh& mesh, s
     all &= outcode_of(v[k]);
   }
   if ((all & ~uint32_t{kOutcodeGuard}) != 0) return LaneFate::kNothing;
-  if (any != 0) return LaneFate::kGeneral;
-  const bool visible = corners == 3 ? setup_triangle(state, v[0], v[1], v[2], record)
-                                    : setup_line(state, v[0], v[1], record);
+  if (any != 0) return corners == 1 ? LaneFate::kNothing : LaneFate::kGeneral;
+  bool visible = false, other = false;
+  switch (corners) {
+    case 1:
+      visible = setup_point(state, v[0], record);
+      break;
+    case 2:
+      visible = setup_line(state, v[0], v[1], record);
+      other = record.size < 0;
+      break;
+    default:
+      visible = setup_triangle(state, v[0], v[1], v[2], record);
+      other = record.back_facing;
+  }
   if (!visible) return LaneFate::kNothing;
-  return (corners == 3 ? record.back_facing : record.size < 0) ? LaneFate::kSmallOther
-                                                               : LaneFate::kSmall;
+  return other ? LaneFate::kSmallOther : LaneFate::kSmall;
 }
 
 void expect_same(const SetupState& state, int corners, uint32_t seed) {
   Mesh mesh = random_mesh(seed);
   const LaneJob job = lane_job(mesh.records.data(), mesh.set, 0, kTriangles);
-  (corners == 3 ? setup_triangles : setup_lines)(state, job);
+  setup_lanes(static_cast<PrimitiveKind>(corners - 1), state, job);
   size_t small_count = 0, general_count = 0;
   for (size_t t = 0; t < kTriangles; ++t) {
     PrimitiveRecord record;
@@ -210,10 +224,22 @@ TEST(Lines, EachIsAsSetUpAlone) {
   }
 }
 
+TEST(Points, EachIsAsSetUpAlone) {
+  uint32_t seed = 80;
+  for (const bool sprite : {false, true}) {
+    for (const int mirror_height : {0, kSide}) {
+      SCOPED_TRACE(seed);
+      SetupState state = state_with(CullFace::kNone, false, mirror_height);
+      state.raster.point_sprite = sprite;
+      expect_same(state, 1, seed++);
+    }
+  }
+}
+
 TEST(Triangles, NothingIsLeftOfBothFacesCulled) {
   Mesh mesh = random_mesh(99);
-  setup_triangles(state_with(CullFace::kFrontAndBack, false, 0),
-                  lane_job(mesh.records.data(), mesh.set, 0, kTriangles));
+  setup_lanes(PrimitiveKind::kTriangle, state_with(CullFace::kFrontAndBack, false, 0),
+              lane_job(mesh.records.data(), mesh.set, 0, kTriangles));
   for (size_t t = 0; t < kTriangles; ++t) {
     const auto fate = static_cast<LaneFate>(mesh.set.fate[t]);
     ASSERT_TRUE(fate == LaneFate::kNothing || fate == LaneFate::kGeneral) << t;

@@ -1,4 +1,4 @@
-// Sampling one level for the groups of a row (3.7.7, 3.7.8): the samplers of fused.def.
+// The samplers of fused.def (row_sampler-inl.h): one level for the groups of a row (3.7.7, 3.7.8).
 //
 // A bilinear sample reads two neighbours of each of two rows with one load of 64 bits a row, and
 // interpolates in these 64-bit lanes: a texel's four channels are four 16-bit values.
@@ -10,11 +10,11 @@
 // would double: of each 128-bit block the first two, or the last two. Loads take any order for
 // nothing, and so weights spread and channels part within blocks.
 // SPDX-License-Identifier: MIT
-#if defined(CLEARPIPE_FRAGMENT_FUSED_SAMPLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef CLEARPIPE_FRAGMENT_FUSED_SAMPLE_INL_H_
-#undef CLEARPIPE_FRAGMENT_FUSED_SAMPLE_INL_H_
+#if defined(CLEARPIPE_FRAGMENT_SAMPLE_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_SAMPLE_ROW_INL_H_
+#undef CLEARPIPE_FRAGMENT_SAMPLE_ROW_INL_H_
 #else
-#define CLEARPIPE_FRAGMENT_FUSED_SAMPLE_INL_H_
+#define CLEARPIPE_FRAGMENT_SAMPLE_ROW_INL_H_
 #endif
 
 #include <hwy/highway.h>
@@ -22,7 +22,7 @@
 #include <bit>
 #include <cstring>
 
-#include "pipeline/fragment/group-inl.h"
+#include "pipeline/fragment/row_sampler-inl.h"
 #include "pipeline/fragment/sample_axis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,43 +32,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 #if HWY_TARGET != HWY_SCALAR
 
 using sampling::HWY_NAMESPACE::LinearAxis;
-
-inline constexpr int kGroup = 2 * static_cast<int>(hn::MaxLanes(TagF()));  // pixels of a group
-inline constexpr int kRowGroups = kTileWidth / kGroup;
-
-// The row of a tile while its texture is sampled. Coordinates lie as pixels do; colours are 8-bit
-// values, group after group.
-struct RowCoordinates {
-  alignas(64) float s[kTileWidth], t[kTileWidth];
-};
-struct RowColours {
-  alignas(64) int16_t channel[4][kTileWidth];
-
-  HWY_INLINE Colour16 load(int group) const {
-    const Tag16 d;
-    Colour16 c;
-    for (int i = 0; i < 4; ++i) c.channel[i] = hn::Load(d, channel[i] + group * kGroup);
-    return c;
-  }
-  HWY_INLINE void store(const Colour16& c, int group) {
-    const Tag16 d;
-    for (int i = 0; i < 4; ++i) hn::Store(c.channel[i], d, channel[i] + group * kGroup);
-  }
-};
-
-// Calls `function(group)` for each bit of `groups`.
-template <class F>
-HWY_INLINE void for_each_group(uint32_t groups, const F& function) {
-  for (; groups != 0; groups &= groups - 1) function(std::countr_zero(groups));
-}
-
-// Which halves of the groups of a row are looked at: bit 2 g is the lower half of group g.
-using Halves = uint32_t;
-HWY_INLINE Halves halves_of_group(int group) { return Halves{3} << (2 * group); }
-
-// Samples some halves of the groups of a row.
-using RowSampler = void (*)(const SampleLevel& level, const RowCoordinates& at, Halves halves,
-                            RowColours& out);
 
 using TagTexels = hn::Repartition<uint64_t, TagF>;  // two texels a lane
 using VecTexels = hn::Vec<TagTexels>;
@@ -173,11 +136,6 @@ struct BlockTable {
   }
   HWY_INLINE hn::Vec<TagBytes> load() const { return hn::Load(TagBytes(), bytes); }
 };
-
-// a + weight (b - a), rounded to nearest, for 8-bit values; the weight has 15 fraction bits.
-HWY_INLINE Vec16 lerp_8(Vec16 weight, Vec16 a, Vec16 b) {
-  return hn::Add(a, hn::MulFixedPoint15(weight, hn::Sub(b, a)));
-}
 
 // Weights of 8 bits in the lanes of a vector of pixels, spread to all channels of the pixels that
 // belong to a vector of 64-bit lanes: the first two of a block, or the last two.
@@ -302,15 +260,16 @@ HWY_INLINE VecU sample_nearest_half(const SampleLevel& level, VecF s, VecF t) {
 }
 
 template <Filter kFilter, WrapKind kS, WrapKind kT>
-void sample_row(const SampleLevel& from, const RowCoordinates& at, Halves halves, RowColours& out) {
+void sample_row(const SampleLevel& from, const float* row_s, const float* row_t, Halves halves,
+                RowColours& out) {
   const TagF d;
   const SampleLevel level = from;
   while (halves != 0) {
     const int group = std::countr_zero(halves) / 2;
     const Halves here = halves >> (2 * group);
     halves &= ~halves_of_group(group);
-    const float* s = at.s + group * kGroup;
-    const float* t = at.t + group * kGroup;
+    const float* s = row_s + group * kGroup;
+    const float* t = row_t + group * kGroup;
     Colour16 colour;
     if constexpr (kFilter == Filter::kLinear) {
       const Vec16 zero = hn::Zero(Tag16());
@@ -339,8 +298,7 @@ void sample_row(const SampleLevel& from, const RowCoordinates& at, Halves halves
   }
 }
 
-// The sampler of a name in fused.def; null for kAny.
-inline RowSampler row_sampler(FusedSampler sampler) {
+RowSampler row_sampler(FusedSampler sampler) {
   constexpr RowSampler kSamplers[] = {
 #define FUSED_SAMPLER(filter, wrap_s, wrap_t) \
   sample_row<Filter::k##filter, WrapKind::k##wrap_s, WrapKind::k##wrap_t>,
