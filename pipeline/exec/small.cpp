@@ -4,6 +4,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <new>
 #include <type_traits>
 
@@ -39,9 +40,9 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
-    if (taken + 4 < entries.size() && (entries[taken + 4] & kSmallEntry) != 0) {
-      hwy::Prefetch(&primitives[entries[taken + 4] & ~kSmallEntry]);
-    }
+    // If that entry's is no small primitive, the address is of nothing, which is no harm.
+    const size_t ahead = std::min(taken + 4, entries.size() - 1);
+    hwy::Prefetch(primitives + (entries[ahead] & ~kSmallEntry));
     if (primitive.range != range) {
       range = primitive.range;
       const DrawState& next = *draws[packet.ranges[range].draw].state;

@@ -216,7 +216,9 @@ class SmallBatch {
     const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
     for (int i = listed_; i < listed_ + count; i += kListed) {
       for (int j = 0; j < kListed; ++j) {
-        pixel_[i + j] = static_cast<uint8_t>(std::countr_zero(mask));
+        // With the last bit there is no case of a mask without any, nor a branch for it.
+        pixel_[i + j] =
+            static_cast<uint8_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(mask | uint64_t{1} << 63));
         mask &= mask - 1;
       }
       std::memcpy(lane_ + i, &lanes, sizeof(lanes));
