@@ -118,13 +118,16 @@ HWY_INLINE VecU gather_texels(const SampleLevel& level, VecU index) {
                                              hn::BitCast(d, index)));
 }
 
-// Two texels from anywhere.
-HWY_INLINE BlockPairs<VecTexels> load_apart(const SampleLevel& level, VecU first, VecU second) {
+HWY_INLINE BlockPairs<VecTexels> pair_texels(VecU first, VecU second) {
   const TagU d;
   const TagTexels wide;
-  const VecU a = gather_texels(level, first), b = gather_texels(level, second);
-  return {hn::BitCast(wide, hn::InterleaveLower(d, a, b)),
-          hn::BitCast(wide, hn::InterleaveUpper(d, a, b))};
+  return {hn::BitCast(wide, hn::InterleaveLower(d, first, second)),
+          hn::BitCast(wide, hn::InterleaveUpper(d, first, second))};
+}
+
+// Two texels from anywhere.
+HWY_INLINE BlockPairs<VecTexels> load_apart(const SampleLevel& level, VecU first, VecU second) {
+  return pair_texels(gather_texels(level, first), gather_texels(level, second));
 }
 
 // A table of bytes for each block of 128 bits, whole, so that it is an operand in memory.
@@ -199,25 +202,87 @@ HWY_INLINE void linear_axes(const SampleLevel& level, VecF s, VecF t, LinearAxis
   y = linear_axis<kT>(t, level.height);
 }
 
-// 3.7.8 for half of a group: the colours of its pixels in the two vectors of 64-bit lanes.
+// Pixels of half a group whose texels lie close together, as where a texture is about as large as
+// what it covers, or larger: in two rows that follow each other, each no longer than a vector. Then
+// a few loads of whole vectors bring all of them, and each pixel takes its own from there.
+class TexelWindow {
+ public:
+  // By the columns and rows of the pixels' first texels. The most that is read is `rows` rows and
+  // `columns` more texels.
+  HWY_INLINE TexelWindow(const SampleLevel& level, VecI column, VecI row, int rows, int columns)
+      : width_(level.width) {
+    const TagI d;
+    // Along a row of pixels columns and rows go one way, so that the least ones are at an end.
+    const auto least = [](VecI v)
+                           HWY_ATTR { return hn::GetLane(hn::Min(v, hn::Reverse(TagI(), v))); };
+    const int column0 = least(column), row0 = least(row);
+    column_ = hn::Sub(column, hn::Set(d, column0));
+    row_ = hn::Sub(row, hn::Set(d, row0));
+    outside_ = hn::Or(hn::And(column_, hn::Set(d, ~(kLanes - 1))), hn::And(row_, hn::Set(d, ~1)));
+    const int first = row0 * width_ + column0;
+    is_inside_ = first + (rows - 1) * width_ + columns + kLanes <= level.width * level.height;
+    texels_ = level.texels + first;
+  }
+
+  // Whether all pixels find their texels; `others` is zero where nothing else speaks against it.
+  HWY_INLINE bool holds(VecI others) const {
+    const TagI d;
+    return is_inside_ && hn::AllTrue(d, hn::Eq(hn::Or(outside_, others), hn::Zero(d)));
+  }
+
+  // The texels so many rows and columns on from the pixels' first ones.
+  HWY_INLINE VecU take(int rows, int columns) const {
+    const TagU d;
+    const uint32_t* const from = texels_ + rows * width_ + columns;
+    const auto index = hn::IndicesFromVec(d, column_);
+    const auto lower = hn::RebindMask(d, hn::Eq(row_, hn::Zero(TagI())));
+    return hn::IfThenElse(lower, hn::TableLookupLanes(hn::LoadU(d, from), index),
+                          hn::TableLookupLanes(hn::LoadU(d, from + width_), index));
+  }
+
+ private:
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(TagI()));
+
+  const uint32_t* texels_;
+  int width_;
+  bool is_inside_;
+  VecI column_, row_;  // of each pixel, counted from the window's first texel
+  VecI outside_;       // not zero: a pixel's texel is not in the window
+};
+
+// 3.7.8 for half of a group: the colours of its pixels in the two vectors of 64-bit lanes. `close`
+// says whether a window was enough up to now: if it was not, it rarely is further along the row.
 template <WrapKind kS, WrapKind kT>
-HWY_INLINE void sample_linear_half(const SampleLevel& level, VecF s, VecF t, Vec16& first,
-                                   Vec16& last) {
+HWY_INLINE void sample_linear_half(const SampleLevel& level, VecF s, VecF t, bool& close,
+                                   Vec16& first, Vec16& last) {
   const TagI d;
   LinearAxis x, y;
   linear_axes<kS, kT>(level, s, t, x, y);
-  const VecI width = hn::Set(d, level.width);
-  const VecI row0 = hn::Mul(y.first, width), row1 = hn::Mul(y.second, width);
-  const auto at = [](VecI row, VecI column)
-                      HWY_ATTR { return hn::BitCast(TagU(), hn::Add(row, column)); };
   BlockPairs<VecTexels> texels0, texels1;
   // Only at the edges of the level is the second texel not the first one's neighbour.
-  if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(x.second, hn::Add(x.first, hn::Set(d, 1)))))) {
-    texels0 = load_neighbours(level, at(row0, x.first));
-    texels1 = load_neighbours(level, at(row1, x.first));
-  } else {
-    texels0 = load_apart(level, at(row0, x.first), at(row0, x.second));
-    texels1 = load_apart(level, at(row1, x.first), at(row1, x.second));
+  const VecI one = hn::Set(d, 1);
+  const VecI x_apart = hn::Xor(x.second, hn::Add(x.first, one));
+  if (close) {
+    const VecI y_apart = hn::Xor(y.second, hn::Add(y.first, one));
+    const TexelWindow window(level, x.first, y.first, 3, 1);
+    close = window.holds(hn::Or(x_apart, y_apart));
+    if (close) {
+      texels0 = pair_texels(window.take(0, 0), window.take(0, 1));
+      texels1 = pair_texels(window.take(1, 0), window.take(1, 1));
+    }
+  }
+  if (!close) {
+    const VecI width = hn::Set(d, level.width);
+    const VecI row0 = hn::Mul(y.first, width), row1 = hn::Mul(y.second, width);
+    const auto at = [](VecI row, VecI column)
+                        HWY_ATTR { return hn::BitCast(TagU(), hn::Add(row, column)); };
+    if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(x_apart, hn::Zero(d))))) {
+      texels0 = load_neighbours(level, at(row0, x.first));
+      texels1 = load_neighbours(level, at(row1, x.first));
+    } else {
+      texels0 = load_apart(level, at(row0, x.first), at(row0, x.second));
+      texels1 = load_apart(level, at(row1, x.first), at(row1, x.second));
+    }
   }
   const SpreadWeights a(x.weight), b(y.weight);
   first = lerp_8(b.first, lerp_neighbours(a.first, texels0.first),
@@ -251,12 +316,17 @@ HWY_INLINE void part_channels(const Pair<Vec16>& lower, const Pair<Vec16>& upper
 
 // NEAREST for half of a group.
 template <WrapKind kS, WrapKind kT>
-HWY_INLINE VecU sample_nearest_half(const SampleLevel& level, VecF s, VecF t) {
+HWY_INLINE VecU sample_nearest_half(const SampleLevel& level, VecF s, VecF t, bool& close) {
   using sampling::HWY_NAMESPACE::nearest_axis;
-  const VecI x = nearest_axis<kS>(s, level.width);
-  const VecI row = hn::Mul(nearest_axis<kT>(t, level.height), hn::Set(TagI(), level.width));
-  return hn::BitCast(TagU(), hn::GatherIndex(TagI(), reinterpret_cast<const int32_t*>(level.texels),
-                                             hn::Add(row, x)));
+  const TagI d;
+  const VecI x = nearest_axis<kS>(s, level.width), y = nearest_axis<kT>(t, level.height);
+  if (close) {
+    const TexelWindow window(level, x, y, 2, 0);
+    close = window.holds(hn::Zero(d));
+    if (close) return window.take(0, 0);
+  }
+  const VecI row = hn::Mul(y, hn::Set(d, level.width));
+  return gather_texels(level, hn::BitCast(TagU(), hn::Add(row, x)));
 }
 
 template <Filter kFilter, WrapKind kS, WrapKind kT>
@@ -264,6 +334,7 @@ void sample_row(const SampleLevel& from, const float* row_s, const float* row_t,
                 RowColours& out) {
   const TagF d;
   const SampleLevel level = from;
+  bool close = true;
   while (halves != 0) {
     const int group = std::countr_zero(halves) / 2;
     const Halves here = halves >> (2 * group);
@@ -275,22 +346,23 @@ void sample_row(const SampleLevel& from, const float* row_s, const float* row_t,
       const Vec16 zero = hn::Zero(Tag16());
       Pair<Vec16> lower{zero, zero}, upper{zero, zero};
       if ((here & 1) != 0) {
-        sample_linear_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t), lower.lower, lower.upper);
+        sample_linear_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t), close, lower.lower,
+                                   lower.upper);
       }
       if ((here & 2) != 0) {
         sample_linear_half<kS, kT>(level, hn::Load(d, s + kGroup / 2), hn::Load(d, t + kGroup / 2),
-                                   upper.lower, upper.upper);
+                                   close, upper.lower, upper.upper);
       }
       part_channels(lower, upper, colour);
     } else {
       const VecU zero = hn::Zero(TagU());
       Pair<VecU> texels{zero, zero};
       if ((here & 1) != 0) {
-        texels.lower = sample_nearest_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t));
+        texels.lower = sample_nearest_half<kS, kT>(level, hn::Load(d, s), hn::Load(d, t), close);
       }
       if ((here & 2) != 0) {
         texels.upper = sample_nearest_half<kS, kT>(level, hn::Load(d, s + kGroup / 2),
-                                                   hn::Load(d, t + kGroup / 2));
+                                                   hn::Load(d, t + kGroup / 2), close);
       }
       unpack_pixels(texels, colour.channel);
     }
