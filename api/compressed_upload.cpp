@@ -16,8 +16,11 @@ namespace {
 // The data of formats with a palette has all levels, from the base to that of -level.
 Levels decode_palette(const Palette& palette, GLint level, GLsizei width, GLsizei height,
                       const uint8_t* colours) {
-  const size_t bytes = pixel_bytes(palette.format, palette.type);
-  const uint8_t* indices = colours + (bytes << palette.index_bits);
+  const pipeline::UnpackLayout layout = unpack_layout(palette.format, palette.type);
+  const size_t count = size_t{1} << palette.index_bits;
+  uint32_t colour[256];
+  pipeline::unpack_pixels(layout, colours, count, colour);
+  const uint8_t* indices = colours + count * pipeline::bytes_of(layout);
   Levels levels;
   for (int i = 0; i <= -level; ++i) {
     pipeline::ImageLevel to = make_level(width == 0 ? 0 : std::max(width >> i, 1),
@@ -27,7 +30,7 @@ Levels decode_palette(const Palette& palette, GLint level, GLsizei width, GLsize
       const uint32_t index = palette.index_bits == 8 ? indices[k]
                              : k % 2 == 0            ? indices[k / 2] >> 4u
                                                      : indices[k / 2] & 15u;
-      to.texels[k] = unpack_pixel(colours + bytes * index, palette.format, palette.type);
+      to.texels[k] = colour[index];
     }
     indices += (to.texels.size() * static_cast<size_t>(palette.index_bits) + 7) / 8;
     levels.push_back(std::move(to));
@@ -48,8 +51,8 @@ void compressed_tex_image(Context& c, GLenum target, GLint level, GLenum interna
     return;
   }
   const Palette palette = palette_of(internal);
-  install_levels(c, texture, image_index(target, 0),
-                 decode_palette(palette, level, width, height, bytes), internal, palette.format);
+  Levels levels = decode_palette(palette, level, width, height, bytes);
+  install_levels(c, texture, image_index(target, 0), levels, internal, palette.format);
 }
 
 void compressed_tex_sub_image(Context& c, GLenum target, GLint level, GLint x, GLint y,

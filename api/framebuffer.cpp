@@ -72,46 +72,70 @@ GLenum status_of(const FramebufferObject& f) {
   return GL_FRAMEBUFFER_COMPLETE_OES;
 }
 
+// Whether two buffers are the same view of the same memory.
+bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]>& b) {
+  return a == b && !a.owner_before(b) && !b.owner_before(a);
+}
+bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
+  if (a == b || !a || !b) return a == b;
+  return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
+         a->has_alpha == b->has_alpha && a->srgb == b->srgb && a->format == b->format &&
+         a->uniform == b->uniform && a->samples == b->samples;
+}
+bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
+  if (a == b || !a || !b) return a == b;
+  return same(a->values, b->values) && a->width == b->width && a->height == b->height &&
+         a->depth_bits == b->depth_bits && a->has_depth == b->has_depth &&
+         a->has_stencil == b->has_stencil;
+}
+
+// The buffer as it was last time, if it is still the same.
+template <typename Buffer>
+std::shared_ptr<Buffer> kept(std::shared_ptr<Buffer>& last, const Buffer& now) {
+  if (!same(last.get(), &now)) last = std::make_shared<Buffer>(now);
+  return last;
+}
+
 // A level of a texture as a buffer to draw to: the same memory.
-std::shared_ptr<pipeline::ColourBuffer> buffer_of(TextureObject& texture, size_t index) {
+pipeline::ColourBuffer buffer_of(TextureObject& texture, size_t index) {
   refresh(texture);
   const pipeline::ImageLevel& from = texture.image->levels[index];
-  auto buffer = std::make_shared<pipeline::ColourBuffer>();
-  buffer->width = from.width;
-  buffer->height = from.height;
-  buffer->pixels = from.texels.memory();
-  buffer->has_alpha = texture.level[index].format == GL_RGBA;
-  buffer->srgb = is_srgb(texture.level[index].internal);
+  pipeline::ColourBuffer buffer;
+  buffer.width = from.width;
+  buffer.height = from.height;
+  buffer.pixels = from.texels.memory();
+  buffer.has_alpha = texture.level[index].format == GL_RGBA;
+  buffer.srgb = is_srgb(texture.level[index].internal);
   return buffer;
 }
 
 // The same of an attachment, with its implicit multisample buffer: a new one if the level has other
 // memory than before (EXT_multisampled_render_to_texture).
 std::shared_ptr<pipeline::ColourBuffer> buffer_of(Attachment& a) {
-  auto buffer = buffer_of(*a.texture, a.image);
-  if (a.samples == 0) return buffer;
-  const size_t tiles = pipeline::tile_count(buffer->width, buffer->height);
+  pipeline::ColourBuffer buffer = buffer_of(*a.texture, a.image);
+  if (a.samples == 0) return kept(a.colour_buffer, buffer);
+  const size_t tiles = pipeline::tile_count(buffer.width, buffer.height);
   if (!a.sample_buffer || a.sample_buffer->discarded.size() != tiles ||
-      a.sampled.lock() != buffer->pixels) {
-    a.sample_buffer = pipeline::make_sample_buffer(buffer->width, buffer->height);
+      a.sampled.lock() != buffer.pixels) {
+    a.sample_buffer = pipeline::make_sample_buffer(buffer.width, buffer.height);
     if (!a.sample_buffer) throw std::bad_alloc();
-    a.sampled = buffer->pixels;
+    a.sampled = buffer.pixels;
   }
-  buffer->samples = a.sample_buffer;
-  return buffer;
+  buffer.samples = a.sample_buffer;
+  return kept(a.colour_buffer, buffer);
 }
 
 // A renderbuffer's depth and stencil as far as they are attached: the same memory.
-std::shared_ptr<pipeline::DepthStencilBuffer> buffer_of(const FramebufferObject& f) {
-  const RenderbufferPtr& renderbuffer = (f.depth.renderbuffer ? f.depth : f.stencil).renderbuffer;
-  if (!renderbuffer) return nullptr;
-  const pipeline::DepthStencilBuffer& from = *renderbuffer->depth_stencil;
-  auto buffer = std::make_shared<pipeline::DepthStencilBuffer>(from);
-  buffer->has_depth = f.depth.renderbuffer != nullptr;
-  buffer->has_stencil = f.stencil.renderbuffer != nullptr;
-  buffer->partial_view =
-      buffer->has_depth != from.has_depth || buffer->has_stencil != from.has_stencil;
-  return buffer;
+std::shared_ptr<pipeline::DepthStencilBuffer> buffer_of(FramebufferObject& f) {
+  Attachment& a = f.depth.renderbuffer ? f.depth : f.stencil;
+  if (!a.renderbuffer) return nullptr;
+  const pipeline::DepthStencilBuffer& from = *a.renderbuffer->depth_stencil;
+  pipeline::DepthStencilBuffer buffer = from;
+  buffer.has_depth = f.depth.renderbuffer != nullptr;
+  buffer.has_stencil = f.stencil.renderbuffer != nullptr;
+  buffer.partial_view =
+      buffer.has_depth != from.has_depth || buffer.has_stencil != from.has_stencil;
+  return kept(a.depth_stencil_buffer, buffer);
 }
 
 // Of a complete framebuffer object.
@@ -130,22 +154,6 @@ pipeline::Target target_of(FramebufferObject& f) {
   return target;
 }
 
-// Whether two buffers are the same view of the same memory.
-bool same(const std::shared_ptr<uint32_t[]>& a, const std::shared_ptr<uint32_t[]>& b) {
-  return a == b && !a.owner_before(b) && !b.owner_before(a);
-}
-bool same(const pipeline::ColourBuffer* a, const pipeline::ColourBuffer* b) {
-  if (a == b || !a || !b) return a == b;
-  return same(a->pixels, b->pixels) && a->width == b->width && a->height == b->height &&
-         a->has_alpha == b->has_alpha && a->srgb == b->srgb && a->format == b->format &&
-         a->uniform == b->uniform && a->samples == b->samples;
-}
-bool same(const pipeline::DepthStencilBuffer* a, const pipeline::DepthStencilBuffer* b) {
-  if (a == b || !a || !b) return a == b;
-  return same(a->values, b->values) && a->width == b->width && a->height == b->height &&
-         a->depth_bits == b->depth_bits && a->has_depth == b->has_depth &&
-         a->has_stencil == b->has_stencil;
-}
 bool same(const pipeline::Target& a, const pipeline::Target& b) {
   return same(a.colour.get(), b.colour.get()) &&
          same(a.depth_stencil.get(), b.depth_stencil.get()) && a.width == b.width &&

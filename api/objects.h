@@ -116,6 +116,9 @@ struct Attachment {
   int samples = 0;
   std::shared_ptr<pipeline::SampleBuffer> sample_buffer = nullptr;
   std::weak_ptr<uint32_t[]> sampled = {};  // the pixels it belongs to
+  // The image as it was last drawn to, for the next time it is.
+  std::shared_ptr<pipeline::ColourBuffer> colour_buffer = nullptr;
+  std::shared_ptr<pipeline::DepthStencilBuffer> depth_stencil_buffer = nullptr;
 };
 
 struct FramebufferObject {
@@ -169,6 +172,10 @@ class NameTable {
 };
 
 struct ShareGroup {
+  // Goes last: images that nobody will need again have then been freed.
+  struct FreeImages {
+    ~FreeImages() { pipeline::forget_free_images(); }
+  } free_images;
   std::mutex mutex;
   uint64_t buffers_version = 1;  // grows when a buffer object gets another data store
   NameTable<BufferObject> buffers;

@@ -1,4 +1,4 @@
-// The pixel formats of table 3.4: sizes and conversion to the RGBA8 texels images are made of.
+// The pixel formats of table 3.4, and how their pixels lie in memory.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+
+#include "pipeline/unpack/unpack.h"
 
 namespace clearpipe::api {
 
@@ -65,68 +67,54 @@ inline bool has_enough_bits(GLenum internal, GLenum type) {
          (type == GL_UNSIGNED_SHORT_5_5_5_1 && internal == GL_RGB5_A1_OES);
 }
 
-// Bytes of a pixel of an upload format; 0 if the pair is none of table 3.4.
-inline size_t pixel_bytes(GLenum format, GLenum type) {
+// Whether an application may give pixels of an upload format in that type (table 3.4).
+inline bool is_upload_type(GLenum format, GLenum type) {
   switch (type) {
     case GL_UNSIGNED_BYTE:
-      switch (base_format(format)) {
-        case GL_RGBA:
-          return 4;
-        case GL_RGB:
-          return 3;
-        case GL_LUMINANCE_ALPHA:
-          return 2;
-        default:
-          return 1;
-      }
+      return true;
     case GL_UNSIGNED_SHORT_5_6_5:
-      return format == GL_RGB ? 2 : 0;
+      return format == GL_RGB;
     case GL_UNSIGNED_SHORT_4_4_4_4:
     case GL_UNSIGNED_SHORT_5_5_5_1:
-      return format == GL_RGBA ? 2 : 0;
+      return format == GL_RGBA;
     default:
-      return 0;
+      return false;
   }
 }
 
-inline uint32_t rgba(uint32_t r, uint32_t g, uint32_t b, uint32_t a) {
-  return r | g << 8 | b << 16 | a << 24;
-}
-
-// Components of fewer bits are scaled to 255 and rounded.
-inline uint32_t unpack_pixel(const uint8_t* p, GLenum format, GLenum type) {
-  const uint32_t s = type == GL_UNSIGNED_BYTE ? 0 : p[0] | static_cast<uint32_t>(p[1]) << 8;
-  // 255 v / max, rounded to nearest, without a division, so that rows of pixels become vectors.
-  auto scaled = [s](uint32_t shift, uint32_t max) {
-    const uint32_t v = s >> shift & max;
-    return max == 31 ? (v * 527 + 23) >> 6 : max == 63 ? (v * 259 + 33) >> 6 : v * (255 / max);
-  };
+// How such pixels lie in memory.
+inline pipeline::UnpackLayout unpack_layout(GLenum format, GLenum type) {
+  using pipeline::UnpackLayout;
   switch (type) {
     case GL_UNSIGNED_SHORT_5_6_5:
-      return rgba(scaled(11, 31), scaled(5, 63), scaled(0, 31), 255);
+      return UnpackLayout::kRgb565;
     case GL_UNSIGNED_SHORT_4_4_4_4:
-      return rgba(scaled(12, 15), scaled(8, 15), scaled(4, 15), scaled(0, 15));
+      return UnpackLayout::kRgba4444;
     case GL_UNSIGNED_SHORT_5_5_5_1:
-      return rgba(scaled(11, 31), scaled(6, 31), scaled(1, 31), scaled(0, 1));
+      return UnpackLayout::kRgba5551;
     default:
       break;
   }
   switch (format) {
     case GL_RGBA:
     case GL_SRGB_ALPHA_EXT:
-      return rgba(p[0], p[1], p[2], p[3]);
+      return UnpackLayout::kRgba8;
     case GL_BGRA_EXT:
-      return rgba(p[2], p[1], p[0], p[3]);
+      return UnpackLayout::kBgra8;
     case GL_RGB:
     case GL_SRGB_EXT:
-      return rgba(p[0], p[1], p[2], 255);
+      return UnpackLayout::kRgb8;
     case GL_LUMINANCE_ALPHA:
-      return rgba(p[0], p[0], p[0], p[1]);
+      return UnpackLayout::kLuminanceAlpha8;
     case GL_LUMINANCE:
-      return rgba(p[0], p[0], p[0], 255);
+      return UnpackLayout::kLuminance8;
     default:
-      return rgba(0, 0, 0, p[0]);
+      return UnpackLayout::kAlpha8;
   }
+}
+
+inline uint32_t rgba(uint32_t r, uint32_t g, uint32_t b, uint32_t a) {
+  return r | g << 8 | b << 16 | a << 24;
 }
 
 // What of a colour a base format keeps (table 3.9): luminance is the red component.

@@ -94,5 +94,44 @@ TEST_F(SteadyFrame, WithAMeshAllocatesNothing) {
   EXPECT_ERROR(GL_NO_ERROR);
 }
 
+TEST_F(SteadyFrame, WithANewImageAllocatesNothing) {
+  const GLuint name = one_colour_texture(kRed);
+  const std::vector<GLushort> image(size_t{512} * 512, 0x1234);
+  EXPECT_EQ(allocations_of([&] {
+              glBindTexture(GL_TEXTURE_2D, name);
+              glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 512, 512, 0, GL_RGB, GL_UNSIGNED_SHORT_5_6_5,
+                           image.data());
+              draw_quad();
+              glFinish();
+            }),
+            0u);
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
+TEST_F(SteadyFrame, WithAFramebufferObjectAllocatesNothing) {
+  const GLuint name = one_colour_texture(kRed, 128);
+  GLuint framebuffer = 0, depth = 0;
+  glGenFramebuffersOES(1, &framebuffer);
+  glBindFramebufferOES(GL_FRAMEBUFFER_OES, framebuffer);
+  glFramebufferTexture2DOES(GL_FRAMEBUFFER_OES, GL_COLOR_ATTACHMENT0_OES, GL_TEXTURE_2D, name, 0);
+  glGenRenderbuffersOES(1, &depth);
+  glBindRenderbufferOES(GL_RENDERBUFFER_OES, depth);
+  glRenderbufferStorageOES(GL_RENDERBUFFER_OES, GL_DEPTH_COMPONENT24_OES, 128, 128);
+  glFramebufferRenderbufferOES(GL_FRAMEBUFFER_OES, GL_DEPTH_ATTACHMENT_OES, GL_RENDERBUFFER_OES,
+                               depth);
+  EXPECT_EQ(allocations_of([&] {
+              glBindFramebufferOES(GL_FRAMEBUFFER_OES, framebuffer);
+              glDisable(GL_TEXTURE_2D);
+              glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+              draw_quad();
+              glBindFramebufferOES(GL_FRAMEBUFFER_OES, 0);
+              glEnable(GL_TEXTURE_2D);
+              draw_quad();
+              glFinish();
+            }),
+            0u);
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
 }  // namespace
 }  // namespace clearpipe::api

@@ -55,7 +55,7 @@ std::weak_ptr<SurfaceTexture> bind_surface_texture(
   finish_drawing_to(*context, *texture);
   orphan(*texture);
   remove_images(*texture);
-  install_levels(*context, *texture, 0, std::move(images), format, format);
+  install_levels(*context, *texture, 0, images, format, format);
   texture->surface = binding;
   return binding;
 } catch (...) {

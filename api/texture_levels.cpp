@@ -53,8 +53,8 @@ pipeline::ImageLevel reduced(const pipeline::ImageLevel& from) {
   return to;
 }
 
-void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum internal,
-                GLenum format) {
+void set_levels(TextureObject& texture, size_t first, std::span<pipeline::ImageLevel> levels,
+                GLenum internal, GLenum format) {
   const size_t end = first + levels.size();
   const bool pending = is_pending(texture);
   const auto image = pending ? copy_image(texture, first, end) : texture.image;
@@ -74,25 +74,23 @@ void set_levels(TextureObject& texture, size_t first, Levels levels, GLenum inte
 }  // namespace
 
 pipeline::ImageLevel make_level(int width, int height, GLenum format) {
-  pipeline::Texels texels(static_cast<size_t>(width) * static_cast<size_t>(height));
-  if (const uint32_t nothing = components_of(0, format)) {
-    std::fill(texels.begin(), texels.end(), nothing);
-  }
-  return {width, height, std::move(texels)};
+  const size_t texels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  return {width, height, pipeline::Texels(texels, components_of(0, format))};
 }
 
-void install_levels(Context& c, TextureObject& texture, size_t first, Levels levels,
-                    GLenum internal, GLenum format) {
+void install_levels(Context& c, TextureObject& texture, size_t first,
+                    std::span<pipeline::ImageLevel> levels, GLenum internal, GLenum format) {
   finish_drawing_to(c, texture);
   forget_surface(texture);
   orphan(texture);
-  set_levels(texture, first, std::move(levels), internal, format);
+  set_levels(texture, first, levels, internal, format);
 }
 
-void regenerate_levels(TextureObject& texture, size_t first, Levels levels) {
+void regenerate_levels(TextureObject& texture, size_t first,
+                       std::span<pipeline::ImageLevel> levels) {
   if (!has_mipmap(texture)) orphan(texture);
   const TextureLevel base = texture.level[first / kTextureLevels * kTextureLevels];
-  set_levels(texture, first, std::move(levels), base.internal, base.format);
+  set_levels(texture, first, levels, base.internal, base.format);
 }
 
 int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base) {
@@ -113,12 +111,13 @@ bool generates_mipmap(const TextureObject& texture, size_t image, GLenum interna
 
 void replace_level(Context& c, TextureObject& texture, size_t image, pipeline::ImageLevel to,
                    GLenum internal, GLenum format) {
+  if (!generates_mipmap(texture, image, internal)) {
+    return install_levels(c, texture, image, {&to, 1}, internal, format);
+  }
   Levels levels;
   levels.push_back(std::move(to));
-  if (generates_mipmap(texture, image, internal)) {
-    add_mipmaps(levels, last_generated_level(texture, levels[0]));
-  }
-  install_levels(c, texture, image, std::move(levels), internal, format);
+  add_mipmaps(levels, last_generated_level(texture, levels[0]));
+  install_levels(c, texture, image, levels, internal, format);
 }
 
 void make_writable(Context& c, TextureObject& texture) {

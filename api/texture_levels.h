@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,13 +24,14 @@ pipeline::ImageLevel make_level(int width, int height, GLenum format = GL_RGBA);
 int last_generated_level(const TextureObject& texture, const pipeline::ImageLevel& base);
 
 // Gives the texture new levels from `first` on, as an application specifies them: it shares nothing
-// any more. Nothing changes when memory does not suffice.
-void install_levels(Context& context, TextureObject& texture, size_t first, Levels levels,
-                    GLenum internal, GLenum format);
+// any more. They are moved from, unless memory does not suffice: then nothing changes.
+void install_levels(Context& context, TextureObject& texture, size_t first,
+                    std::span<pipeline::ImageLevel> levels, GLenum internal, GLenum format);
 
 // As above, with levels that are generated. A mipmap that was complete keeps its structure, and so
 // what it shares (issues 4 and 5 of EGL_KHR_gl_image). Finish drawing to the texture before.
-void regenerate_levels(TextureObject& texture, size_t first, Levels levels);
+void regenerate_levels(TextureObject& texture, size_t first,
+                       std::span<pipeline::ImageLevel> levels);
 
 // Appends the levels that follow from the base level, which is there, up to a last one (3.7.7,
 // automatic mipmap generation).
@@ -55,7 +57,7 @@ void change_level(Context& c, TextureObject& texture, size_t image, const Change
     levels.push_back(texture.image->levels[image]);
     change(levels[0]);
     add_mipmaps(levels, last_generated_level(texture, levels[0]));
-    regenerate_levels(texture, image, std::move(levels));
+    regenerate_levels(texture, image, levels);
     return;
   }
   make_writable(c, texture);

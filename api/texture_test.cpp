@@ -140,6 +140,34 @@ TEST_F(Formats, EveryValueOfThePackedFormats) {
   }
 }
 
+// The memory of images that are gone serves new ones, but shows nothing of them.
+TEST_F(Textures, ImagesWithoutPixelsAreEmpty) {
+  constexpr GLsizei kTexels = 256;
+  const struct {
+    GLenum format;
+    uint32_t expected;
+  } kCases[] = {{GL_RGBA, 0}, {GL_RGB, 0xff000000u}, {GL_LUMINANCE, 0xff000000u}};
+  for (const auto& c : kCases) {
+    const GLuint before = one_colour_texture(kRed, kTexels);
+    draw_quad();
+    EXPECT_EQ(pixel(3, 3), kRed);
+    glDeleteTextures(1, &before);
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(c.format), kTexels, kTexels, 0, c.format,
+                 GL_UNSIGNED_BYTE, nullptr);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    draw_quad();
+    const uint32_t alpha = c.format == GL_RGBA ? ~0u : 0x00ffffffu;  // the format may have none
+    for (int i = 0; i < kSize; ++i) EXPECT_EQ(pixel(i, i) & alpha, c.expected & alpha);
+    glDeleteTextures(1, &name);
+  }
+  EXPECT_ERROR(GL_NO_ERROR);
+}
+
 // Rows of 3 pixels are 12 bytes, 16 with an alignment of 8; pixels beside the surface and bytes
 // between the rows stay as they were.
 TEST_F(Textures, ReadPixelsWithEveryAlignment) {

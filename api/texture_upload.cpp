@@ -1,8 +1,6 @@
 // Texture images: what an application uploads or copies becomes RGBA8 texels (3.7.1, 3.7.2).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
 #include "api/exec.h"
 #include "api/framebuffer.h"
@@ -14,60 +12,14 @@ namespace clearpipe::api::exec {
 
 namespace {
 
-template <GLenum format, GLenum type>
-void unpack_as(const uint8_t* from, int count, uint32_t* to) {
-  constexpr size_t kBytes = type == GL_UNSIGNED_BYTE ? format == GL_RGBA || format == GL_BGRA_EXT
-                                                           ? 4
-                                                       : format == GL_RGB             ? 3
-                                                       : format == GL_LUMINANCE_ALPHA ? 2
-                                                                                      : 1
-                                                     : 2;
-  for (int i = 0; i < count; ++i, from += kBytes) to[i] = unpack_pixel(from, format, type);
-}
-
-// A row of pixels of an upload format: the pair is decided on once, not for each pixel.
-void unpack_row(const uint8_t* from, int count, GLenum format, GLenum type, uint32_t* to) {
-  switch (type) {
-    case GL_UNSIGNED_SHORT_5_6_5:
-      return unpack_as<GL_RGB, GL_UNSIGNED_SHORT_5_6_5>(from, count, to);
-    case GL_UNSIGNED_SHORT_4_4_4_4:
-      return unpack_as<GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4>(from, count, to);
-    case GL_UNSIGNED_SHORT_5_5_5_1:
-      return unpack_as<GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1>(from, count, to);
-    default:
-      break;
-  }
-  switch (format) {
-    case GL_RGBA:
-    case GL_SRGB_ALPHA_EXT:
-      if constexpr (std::endian::native == std::endian::little) {
-        std::memcpy(to, from, static_cast<size_t>(count) * sizeof(uint32_t));
-        return;
-      }
-      return unpack_as<GL_RGBA, GL_UNSIGNED_BYTE>(from, count, to);
-    case GL_BGRA_EXT:
-      return unpack_as<GL_BGRA_EXT, GL_UNSIGNED_BYTE>(from, count, to);
-    case GL_RGB:
-    case GL_SRGB_EXT:
-      return unpack_as<GL_RGB, GL_UNSIGNED_BYTE>(from, count, to);
-    case GL_LUMINANCE_ALPHA:
-      return unpack_as<GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE>(from, count, to);
-    case GL_LUMINANCE:
-      return unpack_as<GL_LUMINANCE, GL_UNSIGNED_BYTE>(from, count, to);
-    default:
-      return unpack_as<GL_ALPHA, GL_UNSIGNED_BYTE>(from, count, to);
-  }
-}
-
 void unpack(pipeline::ImageLevel& to, int x, int y, int width, int height, GLenum format,
             GLenum type, const void* pixels, int alignment) {
-  const size_t bytes = pixel_bytes(format, type), align = static_cast<size_t>(alignment);
+  const pipeline::UnpackLayout layout = unpack_layout(format, type);
+  const size_t bytes = pipeline::bytes_of(layout), align = static_cast<size_t>(alignment);
   const size_t row = (bytes * static_cast<size_t>(width) + align - 1) / align * align;
-  for (int j = 0; j < height; ++j) {
-    const uint8_t* from = static_cast<const uint8_t*>(pixels) + row * static_cast<size_t>(j);
-    uint32_t* texel = to.texels.data() + static_cast<ptrdiff_t>(y + j) * to.width + x;
-    unpack_row(from, width, format, type, texel);
-  }
+  uint32_t* texel = to.texels.data() + static_cast<ptrdiff_t>(y) * to.width + x;
+  pipeline::unpack_rectangle(layout,
+                             {pixels, row, width, height, texel, static_cast<size_t>(to.width)});
 }
 
 void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format, int xoffset,
@@ -78,11 +30,13 @@ void copy_from_surface(const Context& c, pipeline::ImageLevel& to, GLenum format
   const int64_t x1 = std::min<int64_t>(static_cast<int64_t>(x) + width, from.width);
   const int64_t y0 = std::max<int64_t>(y, 0);
   const int64_t y1 = std::min<int64_t>(static_cast<int64_t>(y) + height, from.height);
-  if (x0 >= x1) return;
-  for (int64_t row = y0; row < y1; ++row) {
-    uint32_t* out = to.texels.data() + (yoffset + row - y) * to.width + xoffset + (x0 - x);
-    const int count = static_cast<int>(x1 - x0);
-    pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, out);
+  if (x0 >= x1 || y0 >= y1) return;
+  uint32_t* out = to.texels.data() + (yoffset + y0 - y) * to.width + xoffset + (x0 - x);
+  const int count = static_cast<int>(x1 - x0), rows = static_cast<int>(y1 - y0);
+  pipeline::read_rectangle(from, static_cast<int>(x0), static_cast<int>(y0), count, rows, out,
+                           static_cast<size_t>(to.width) * sizeof(uint32_t));
+  if (format == GL_RGBA) return;
+  for (int row = 0; row < rows; ++row, out += to.width) {
     std::transform(out, out + count, out,
                    [format](uint32_t p) { return components_of(p, format); });
   }
@@ -154,7 +108,7 @@ void generate_mipmap(Context& c, GLenum target) {
   if (mipmaps[0].empty()) return;
   // From the last face on, after which there is room for all: no call but the first can fail.
   for (size_t face = count; face-- > 0;) {
-    regenerate_levels(texture, face * kTextureLevels + 1, std::move(mipmaps[face]));
+    regenerate_levels(texture, face * kTextureLevels + 1, mipmaps[face]);
   }
 }
 

@@ -33,8 +33,8 @@ Invalid palette_image(GLenum target, const Palette& palette, GLint level, GLsize
   if (-level > 0 && std::max(width, height) >> -level == 0) {
     return {GL_INVALID_VALUE, "{1} asks for more levels than {3} and {4} have (3.7.4)"};
   }
-  int64_t expected = static_cast<int64_t>(pixel_bytes(palette.format, palette.type))
-                     << palette.index_bits;
+  const size_t colour = pipeline::bytes_of(unpack_layout(palette.format, palette.type));
+  int64_t expected = static_cast<int64_t>(colour << palette.index_bits);
   for (int i = 0; i <= -level; ++i) {
     const int64_t texels = static_cast<int64_t>(width == 0 ? 0 : std::max(width >> i, 1)) *
                            (height == 0 ? 0 : std::max(height >> i, 1));

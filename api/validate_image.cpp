@@ -27,7 +27,7 @@ Invalid pixels_for(GLenum internal, GLenum format, GLenum type) {
     return {GL_INVALID_OPERATION,
             "{1} has fewer bits than the internal format (OES_required_internalformat, table 3.4)"};
   }
-  return operation_unless(pixel_bytes(format, type) != 0,
+  return operation_unless(is_upload_type(format, type),
                           "{0} and {1} do not go together (3.6.2, table 3.4)");
 }
 

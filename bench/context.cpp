@@ -7,11 +7,8 @@
 
 #include <cstring>
 
+#include "bench/extras.h"
 #include "bench/shapes.h"
-
-extern "C" {
-#include "examples/window.h"
-}
 
 namespace bench {
 
@@ -62,7 +59,7 @@ EGLConfig choose_config(EGLDisplay display, bool window) {
 
 void open_context(View& view, bool window) {
   if (window) {
-    the_window = connect_x11(view.width, view.height);
+    the_window = open_x11(view.width, view.height);
     if (!the_window) fail("reaching an X server");
     view.display = eglGetPlatformDisplay(the_window->platform, the_window->native_display, nullptr);
   } else {

@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "bench/context.h"
+#include "bench/extras.h"
 #include "bench/measure.h"
-#include "bench/picture.h"
 #include "bench/scene.h"
 #include "bench/shapes.h"
 
@@ -125,7 +125,7 @@ void write_image(const View& view, const std::string& path) {
     picture.pixels.insert(picture.pixels.end(), below.pixels.begin() + ptrdiff_t(y * row),
                           below.pixels.begin() + ptrdiff_t((y + 1) * row));
   }
-  write_png(picture, path);
+  save_png(picture, path);
 }
 
 int run(const Options& options) {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "bench/picture.h"
+#include "bench/extras.h"
 #include "bench/shapes.h"
 
 namespace bench {
@@ -71,7 +71,7 @@ Model read_model(const std::string& name) {
 }
 
 void use_picture(const std::string& name) {
-  const Picture picture = read_png(kFolder + "textures/" + name);
+  const Picture picture = load_png(kFolder + "textures/" + name);
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);

@@ -6,6 +6,7 @@
 #include <GLES/glext.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -17,23 +18,41 @@ namespace {
 
 constexpr float kPi = 3.14159265358979f;
 
-void add_texels(std::vector<GLubyte>& texels, uint32_t seed, int size, bool smooth) {
+// What scenes are made of is made quickly, as its time is part of that to the first frame: sines
+// and cosines once for each row and column.
+std::vector<GLubyte> noise_texels(uint32_t seed, int size) {
   Noise noise(seed);
+  std::vector<GLubyte> texels(size_t(size) * size_t(size) * 4);
+  for (GLubyte& value : texels) value = GLubyte(noise.bits() >> 16);
+  return texels;
+}
+
+std::vector<GLubyte> smooth_texels(int size) {
   const float step = 2 * kPi / float(size);
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      for (int c = 0; c < 4; ++c) {
-        const float wave =
-            std::sin(float(x * (c + 1)) * step) * std::cos(float(y * (4 - c)) * step);
-        texels.push_back(smooth ? GLubyte(127.5f + 127 * wave) : GLubyte(noise.bits() >> 16));
+  std::vector<float> along_x, along_y;  // of each component
+  for (int i = 0; i < size; ++i) {
+    for (int c = 0; c < 4; ++c) {
+      along_x.push_back(std::sin(float(i * (c + 1)) * step));
+      along_y.push_back(std::cos(float(i * (4 - c)) * step));
+    }
+  }
+  std::vector<GLubyte> texels(size_t(size) * size_t(size) * 4);
+  size_t next = 0;
+  for (size_t y = 0; y < size_t(size); ++y) {
+    for (size_t x = 0; x < size_t(size); ++x) {
+      for (size_t c = 0; c < 4; ++c) {
+        const float wave = along_x[4 * x + c] * along_y[4 * y + c];
+        texels[next++] = GLubyte(127.5f + 127 * wave);
       }
     }
   }
+  return texels;
 }
 
 // Each level the mean of the one before, so that both implementations have the same.
 std::vector<GLubyte> halved(const std::vector<GLubyte>& texels, int size) {
   std::vector<GLubyte> result;
+  result.reserve(texels.size() / 4);
   const auto at = [&](int x, int y, int c) { return int(texels[size_t((y * size + x) * 4 + c)]); };
   for (int y = 0; y < size; y += 2) {
     for (int x = 0; x < size; x += 2) {
@@ -47,6 +66,7 @@ std::vector<GLubyte> halved(const std::vector<GLubyte>& texels, int size) {
 }
 
 void add_grid_indices(Mesh& mesh, int columns, int rows) {
+  mesh.indices.reserve(size_t(columns) * size_t(rows) * 6);
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
       const GLuint corner = GLuint(y * (columns + 1) + x), above = corner + GLuint(columns + 1);
@@ -108,8 +128,8 @@ GLuint use_noise_texture(uint32_t seed, const TextureOptions& options) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, options.mag);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, options.wrap);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, options.wrap);
-  std::vector<GLubyte> texels;
-  add_texels(texels, seed, options.size, options.smooth);
+  std::vector<GLubyte> texels =
+      options.smooth ? smooth_texels(options.size) : noise_texels(seed, options.size);
   for (int size = options.size, level = 0;; size /= 2, ++level) {
     glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  texels.data());
@@ -122,14 +142,24 @@ GLuint use_noise_texture(uint32_t seed, const TextureOptions& options) {
 
 Mesh wavy_plate(int columns, int rows) {
   Mesh mesh;
+  mesh.vertices.reserve(size_t(columns + 1) * size_t(rows + 1));
+  struct Column {
+    float px, sine, cosine;
+  };
+  std::vector<Column> all_columns;
+  for (int x = 0; x <= columns; ++x) {
+    const float px = 2 * float(x) / float(columns) - 1;
+    all_columns.push_back({px, std::sin(8 * px), std::cos(8 * px)});
+  }
   for (int y = 0; y <= rows; ++y) {
-    for (int x = 0; x <= columns; ++x) {
-      const float px = 2 * float(x) / float(columns) - 1, py = 2 * float(y) / float(rows) - 1;
-      const float slope_x = 0.96f * std::cos(8 * px) * std::cos(6 * py);
-      const float slope_y = -0.72f * std::sin(8 * px) * std::sin(6 * py);
+    const float py = 2 * float(y) / float(rows) - 1;
+    const float row_sine = std::sin(6 * py), row_cosine = std::cos(6 * py);
+    for (const auto& [px, sine, cosine] : all_columns) {
+      const float slope_x = 0.96f * cosine * row_cosine;
+      const float slope_y = -0.72f * sine * row_sine;
       const float length = std::sqrt(slope_x * slope_x + slope_y * slope_y + 1);
       mesh.vertices.push_back(
-          {{px, py, 0.12f * std::sin(8 * px) * std::cos(6 * py)},
+          {{px, py, 0.12f * sine * row_cosine},
            {-slope_x / length, -slope_y / length, 1 / length},
            {GLubyte(127 + 127 * px), GLubyte(127 + 127 * py), GLubyte(160 + 90 * slope_x), 255}});
     }
@@ -140,10 +170,15 @@ Mesh wavy_plate(int columns, int rows) {
 
 Mesh tube(int around, int along) {
   Mesh mesh;
+  mesh.vertices.reserve(size_t(around + 1) * size_t(along + 1));
+  std::vector<std::array<float, 2>> circle;
+  for (int a = 0; a <= around; ++a) {
+    const float angle = 2 * kPi * float(a) / float(around);
+    circle.push_back({std::cos(angle), std::sin(angle)});
+  }
   for (int z = 0; z <= along; ++z) {
-    for (int a = 0; a <= around; ++a) {
-      const float angle = 2 * kPi * float(a) / float(around);
-      const float pz = 2 * float(z) / float(along) - 1, c = std::cos(angle), s = std::sin(angle);
+    const float pz = 2 * float(z) / float(along) - 1;
+    for (const auto& [c, s] : circle) {
       mesh.vertices.push_back(
           {{c, s, pz},
            {-c, -s, 0},

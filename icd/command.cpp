@@ -51,6 +51,10 @@ namespace entry {
 __eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) noexcept {
   using Proc = __eglMustCastToProperFunctionPointerType;
   if (procname == nullptr) return succeed<Proc>(nullptr);
+  // libglvnd asks for every name it knows, most of them of OpenGL, when a context is first current.
+  if (std::strncmp(procname, "egl", 3) != 0) {
+    return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
+  }
 #define CALL(type, name, ...)                               \
   if (std::strcmp(procname, "egl" #name) == 0) {            \
     return succeed(reinterpret_cast<Proc>(&command::name)); \
@@ -58,7 +62,7 @@ __eglMustCastToProperFunctionPointerType GetProcAddress(const char* procname) no
 #include "icd/egl15.def"
 #include "icd/egl_ext.def"
 #undef CALL
-  return succeed(reinterpret_cast<Proc>(api::proc_address(procname)));
+  return succeed<Proc>(nullptr);
 }
 
 }  // namespace entry

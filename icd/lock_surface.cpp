@@ -39,6 +39,7 @@ PixelLayout mapped_layout(const Config& config) {
     case ColourFormat::kRgba4:
       return {2, {{{12, 4}, {8, 4}, {4, 4}, {0, 4}}}};
     case ColourFormat::kRgba8:
+    case ColourFormat::kRgb8:
       break;
   }
   return config.alpha > 0 ? kBgra : kBgrx;

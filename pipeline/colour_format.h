@@ -13,7 +13,9 @@
 
 namespace clearpipe::pipeline {
 
-enum class ColourFormat : uint8_t { kRgba8, kRgb565, kRgb5A1, kRgba4 };
+// kRgb8 is that of programs alone, for buffers without alpha: alpha is stored as 255, so that they
+// replace whole pixels.
+enum class ColourFormat : uint8_t { kRgba8, kRgb8, kRgb565, kRgb5A1, kRgba4 };
 
 // The bits of red, green, blue and alpha; alpha may be absent besides (ColourBuffer::has_alpha).
 constexpr std::array<int, 4> component_bits(ColourFormat format) {
@@ -25,6 +27,7 @@ constexpr std::array<int, 4> component_bits(ColourFormat format) {
     case ColourFormat::kRgba4:
       return {4, 4, 4, 4};
     case ColourFormat::kRgba8:
+    case ColourFormat::kRgb8:
       break;
   }
   return {8, 8, 8, 8};
@@ -38,13 +41,17 @@ constexpr uint32_t widen_component(uint32_t value, int bits) {
 }
 
 // Truncation as masks of a packed pixel: bits that stay, and bits that are those 4, 5 or 6 places
-// above them; where a component has one bit, all of it is that bit, the highest of the pixel.
+// above them; where a component has one bit, all of it is that bit, the highest of the pixel. Bits
+// of an absent alpha are set.
 struct Truncation {
-  uint32_t keep = 0, from4 = 0, from5 = 0, from6 = 0, from_top = 0;
+  uint32_t keep = 0, from4 = 0, from5 = 0, from6 = 0, from_top = 0, set = 0;
+  // Whether bits come from others.
+  constexpr bool repeats() const { return (from4 | from5 | from6 | from_top) != 0; }
 };
 constexpr Truncation truncation_of(ColourFormat format) {
   const std::array<int, 4> bits = component_bits(format);
   Truncation masks;
+  if (format == ColourFormat::kRgb8) masks.set = 0xff000000u;
   for (size_t c = 0; c < 4; ++c) {
     const uint32_t low = (1u << (8 - bits[c])) - 1, shift = static_cast<uint32_t>(8 * c);
     if (bits[c] == 1) {
@@ -62,7 +69,7 @@ constexpr uint32_t truncate(ColourFormat format, uint32_t pixel) {
   const Truncation t = truncation_of(format);
   const uint32_t top = pixel >> 31 != 0 ? t.from_top : 0;
   return (pixel & t.keep) | (pixel >> 4 & t.from4) | (pixel >> 5 & t.from5) |
-         (pixel >> 6 & t.from6) | top;
+         (pixel >> 6 & t.from6) | top | t.set;
 }
 
 // A component in [0, 1], rounded to what the format has.

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/image_memory.h"
+
 namespace clearpipe::pipeline {
 
 // The texels of a level. A copy has memory of its own; the memory itself can be shared with a
@@ -22,17 +24,20 @@ namespace clearpipe::pipeline {
 class Texels {
  public:
   Texels() = default;
-  explicit Texels(size_t size) : memory_(std::make_shared<uint32_t[]>(size)), size_(size) {}
+  // All of one value.
+  explicit Texels(size_t size, uint32_t value = 0) : Texels(for_overwrite(size)) {
+    std::fill_n(begin(), size, value);
+  }
   // With contents that are yet to be written.
   static Texels for_overwrite(size_t size) {
-    return {std::make_shared_for_overwrite<uint32_t[]>(size), size};
+    return {std::allocate_shared_for_overwrite<uint32_t[]>(ImageAllocator<uint32_t>(), size), size};
   }
-  Texels(std::initializer_list<uint32_t> texels) : Texels(texels.size()) {
+  Texels(std::initializer_list<uint32_t> texels) : Texels(for_overwrite(texels.size())) {
     std::copy(texels.begin(), texels.end(), begin());
   }
   Texels(std::shared_ptr<uint32_t[]> memory, size_t size)
       : memory_(std::move(memory)), size_(size) {}
-  Texels(const Texels& other) : Texels(other.size_) {
+  Texels(const Texels& other) : Texels(for_overwrite(other.size_)) {
     std::copy(other.begin(), other.end(), begin());
   }
   Texels(Texels&& other) noexcept

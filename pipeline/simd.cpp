@@ -1,12 +1,67 @@
 // The choice of the SIMD target: see simd.h.
+//
+// Highway's library would make it, and is needed for nothing else. But when it is loaded it
+// measures the processor's timer, for benchmarks, which takes milliseconds: a third of the time to
+// the first frame. So on x86 the functions that Highway's headers ask for are here.
 // SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <mutex>
 #include <string_view>
 
 #include <hwy/highway.h>
+
+#if HWY_ARCH_X86
+namespace hwy {
+
+namespace {
+
+std::atomic<int64_t> disabled_targets{0};
+
+// The instructions that Highway uses on each target; the system must save the registers.
+int64_t detect_targets() {
+  __builtin_cpu_init();
+  int64_t targets = HWY_SCALAR | HWY_EMU128;
+  if (!__builtin_cpu_supports("ssse3")) return targets;
+  targets |= HWY_SSSE3;
+  if (!__builtin_cpu_supports("sse4.1") || !__builtin_cpu_supports("sse4.2") ||
+      !__builtin_cpu_supports("pclmul") || !__builtin_cpu_supports("aes")) {
+    return targets;
+  }
+  targets |= HWY_SSE4;
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma") ||
+      !__builtin_cpu_supports("f16c") || !__builtin_cpu_supports("lzcnt") ||
+      !__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2")) {
+    return targets;
+  }
+  targets |= HWY_AVX2;
+  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512vl") ||
+      !__builtin_cpu_supports("avx512cd") || !__builtin_cpu_supports("avx512dq") ||
+      !__builtin_cpu_supports("avx512bw")) {
+    return targets;
+  }
+  return targets | HWY_AVX3;
+}
+
+}  // namespace
+
+int64_t SupportedTargets() {
+  static const int64_t supported = detect_targets();
+  const int64_t targets = supported & ~disabled_targets.load();
+  return targets != 0 ? targets : HWY_STATIC_TARGET;
+}
+
+void DisableTargets(int64_t targets) { disabled_targets = targets; }
+
+ChosenTarget& GetChosenTarget() {
+  static ChosenTarget chosen;
+  return chosen;
+}
+
+}  // namespace hwy
+#endif
 
 namespace clearpipe::pipeline {
 

@@ -88,7 +88,14 @@ ProgramHolder& CurrentState::program() {
     to.srgb = target_.colour && target_.colour->srgb;
     if (target_.colour) to.format = target_.colour->format;
     const uint8_t mask = fragment_.colour_mask;
-    if (target_.colour && !target_.colour->has_alpha) fragment_.colour_mask = mask & 0x7;
+    if (target_.colour && !target_.colour->has_alpha) {
+      fragment_.colour_mask = mask & 0x7;
+      // With alpha, which is 255 already, programs replace whole pixels.
+      if (fragment_.colour_mask == 0x7 && to.format == ColourFormat::kRgba8 && !to.srgb) {
+        fragment_.colour_mask = 0xf;
+        to.format = ColourFormat::kRgb8;
+      }
+    }
     if (!target_.colour) fragment_.colour_mask = 0;
     program_ = &programs_.find(fragment_, to);
     fragment_.colour_mask = mask;

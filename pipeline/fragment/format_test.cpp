@@ -15,6 +15,10 @@ namespace {
 
 constexpr ColourFormat kFormats[] = {ColourFormat::kRgba8, ColourFormat::kRgb565,
                                      ColourFormat::kRgb5A1, ColourFormat::kRgba4};
+// Those of programs: with the one that stores an absent alpha.
+constexpr ColourFormat kProgramFormats[] = {ColourFormat::kRgba8, ColourFormat::kRgb8,
+                                            ColourFormat::kRgb565, ColourFormat::kRgb5A1,
+                                            ColourFormat::kRgba4};
 
 // The upper bits of a component, and what they are of 255.
 int kept(int value, int bits) { return value >> (8 - bits); }
@@ -48,11 +52,15 @@ TEST(ColourFormat, TruncationKeepsTheUpperBitsAndRepeatsThem) {
   }
 }
 
+TEST(ColourFormat, AbsentAlphaIsStoredAsOne) {
+  EXPECT_EQ(truncate(ColourFormat::kRgb8, 0x12345678u), 0xff345678u);
+}
+
 // Whatever is drawn, blended or combined leaves what an 8-bit surface would have, truncated.
 TEST(ColourFormat, FragmentsAreTruncatedAtTheEnd) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (const ColourFormat format : kFormats) {
+  for (const ColourFormat format : kProgramFormats) {
     for (const int operation : {0, 1, 2, 3}) {
       for (int round = 0; round < 50; ++round) {
         Bench bench;
@@ -81,7 +89,7 @@ TEST(ColourFormat, FragmentsAreTruncatedAtTheEnd) {
 
 TEST(ColourFormat, SamplesAreTruncatedAfterBlending) {
   std::mt19937 random(8);
-  for (const ColourFormat format : kFormats) {
+  for (const ColourFormat format : kProgramFormats) {
     FragmentState state;
     state.blend.enabled = true;
     state.blend.src_rgb = state.blend.src_alpha = BlendFactor::kOne;

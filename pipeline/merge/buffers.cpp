@@ -1,7 +1,5 @@
 // Making colour and depth/stencil buffers, and reading what they hold: see surface.h.
 // SPDX-License-Identifier: MIT
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -9,6 +7,8 @@
 #include <new>
 
 #include "pipeline/exec/workers.h"
+#include "pipeline/image.h"
+#include "pipeline/image_memory.h"
 #include "pipeline/raster/tile.h"
 #include "pipeline/surface.h"
 
@@ -16,23 +16,11 @@ namespace clearpipe::pipeline {
 
 namespace {
 
-// Vectors are loaded from tiles as they lie.
-constexpr std::align_val_t kAlignment{64};
-constexpr size_t kHugePage = size_t{2} << 20;
-
-// Not initialised: tiles that are noted as uniform are written before they are read. Large planes
-// lie in huge pages where the system has some: the first frame then takes a few page faults instead
-// of hundreds, which is most of its time.
+// Not initialised: tiles that are noted as uniform are written before they are read.
 std::shared_ptr<uint32_t[]> allocate_tiles(size_t count) {
   const size_t bytes = count * kTilePixels * sizeof(uint32_t);
-  if (bytes < kHugePage) {
-    auto* memory = static_cast<uint32_t*>(operator new(bytes, kAlignment));
-    return {memory, [](uint32_t* p) { operator delete(p, kAlignment); }};
-  }
-  const size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
-  auto* memory = static_cast<uint32_t*>(operator new (whole, std::align_val_t{kHugePage}));
-  madvise(memory, whole, MADV_HUGEPAGE);  // advice: nothing depends on whether it is taken
-  return {memory, [](uint32_t* p) { operator delete (p, std::align_val_t{kHugePage}); }};
+  auto* memory = static_cast<uint32_t*>(allocate_memory(bytes));
+  return {memory, [bytes](uint32_t* p) { free_memory(p, bytes); }};
 }
 
 UniformTiles all_uniform(size_t count, uint32_t value) {
@@ -213,7 +201,7 @@ void read_rectangle(const ColourBuffer& buffer, int x, int y, int count, int row
 bool lay_out_in_rows(ColourBuffer& buffer) try {
   if (!buffer.uniform) return true;
   const size_t width = static_cast<size_t>(buffer.width);
-  auto rows = std::make_shared_for_overwrite<uint32_t[]>(width * buffer.height);
+  auto rows = Texels::for_overwrite(width * buffer.height).memory();
   read_rectangle(buffer, 0, 0, buffer.width, buffer.height, rows.get(), width * sizeof(uint32_t));
   buffer.pixels = std::move(rows);
   buffer.uniform = nullptr;
