@@ -1,6 +1,6 @@
 // Coverage against exact arithmetic: every pixel of random polygons, and the partition of the plane
-// by triangles that share edges (3.5.1). Runs on the SIMD target that CLEARPIPE_SIMD selects.
-// SPDX-License-Identifier: MIT
+// by triangles that share edges (3.5.1); as rows and as squares. Runs on the SIMD target that
+// CLEARPIPE_SIMD selects. SPDX-License-Identifier: MIT
 #include "pipeline/raster/coverage.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "pipeline/raster/squares.h"
 
 namespace clearpipe::pipeline {
 namespace {
@@ -21,13 +23,35 @@ SetupState test_state() {
   return state;
 }
 
+// Squares have the pixels that rows have, and none is empty.
+void expect_same_squares(const PrimitiveRecord& primitive, int tx, int ty, const Coverage& rows) {
+  CoveredSquares squares;
+  if (!cover_squares(primitive, tx, ty, squares)) squares.count = 0;
+  uint64_t covered[kTileHeight] = {};
+  for (int i = 0; i < squares.count; ++i) {
+    const SmallCoverage& square = squares.square[i];
+    EXPECT_NE(square.mask, 0u);
+    for (int j = 0; j < kSmallSide; ++j) {
+      covered[square.row + j] |= (square.mask >> (kSmallSide * j) & 0xff) << square.column;
+    }
+  }
+  for (int row = 0; row < kTileHeight; ++row) {
+    const bool used = row >= rows.first_row && row < rows.last_row;
+    ASSERT_EQ(covered[row], used ? rows.rows[row] : 0) << "tile " << tx << "," << ty;
+  }
+}
+
 std::vector<int> count_hits(const std::vector<PrimitiveRecord>& primitives) {
   std::vector<int> hits(kSize * kSize);
   for (const PrimitiveRecord& primitive : primitives) {
     for (int ty = 0; ty < kSize; ty += kTileHeight) {
       for (int tx = 0; tx < kSize; tx += kTileWidth) {
         Coverage coverage;
-        if (!cover_tile(primitive, tx, ty, coverage)) continue;
+        const bool covers = cover_tile(primitive, tx, ty, coverage);
+        if (!primitive.is_circle) {
+          expect_same_squares(primitive, tx, ty, covers ? coverage : Coverage());
+        }
+        if (!covers) continue;
         for (int row = coverage.first_row; row < coverage.last_row; ++row) {
           for (int x = 0; x < kTileWidth; ++x) {
             hits[(ty + row) * kSize + tx + x] += coverage.rows[row] >> x & 1;

@@ -49,16 +49,12 @@ bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out) {
   return true;
 }
 
-void make_small_planes(const SetupState& state, const float* records,
-                       const SmallPrimitive& primitive, SmallPlanes& out) {
+void make_small_planes(const SetupState& state, const PlaneSource& source, SmallPlanes& out) {
   PrimitiveRecord record;
-  const int corners = static_cast<int>(primitive.kind) + 1;
-  for (int i = 0; i < corners; ++i) {
-    record.vertex[i] = records + size_t{primitive.vertex[i]} * state.layout.stride;
-  }
-  record.size = primitive.size;
-  record.kind = primitive.kind;
-  record.back_facing = primitive.back_facing;
+  std::copy_n(source.vertex, 3, record.vertex);
+  record.size = source.size;
+  record.kind = source.kind;
+  record.back_facing = source.back_facing;
   PrimitivePlanes planes;
   make_planes(state, record, planes);
   out.x_ref = planes.x_ref;

@@ -79,8 +79,29 @@ struct SmallPlanes {
 inline constexpr int kDepthPlane = 2, kInverseWPlane = 3;                        // of window
 inline constexpr int kFogPlane = vertex_record::kFog - vertex_record::kOutcode;  // of fog_group
 
-// As make_planes (primitive.h) has them; `records` are the vertex records of the range.
-void make_small_planes(const SetupState& state, const float* records,
-                       const SmallPrimitive& primitive, SmallPlanes& out);
+// What planes are made of.
+struct PlaneSource {
+  const float* vertex[3];  // vertex records, as many as the kind has
+  float size;
+  PrimitiveKind kind;
+  bool back_facing;
+};
+
+// `records` are the vertex records of the range.
+inline PlaneSource plane_source(const SmallPrimitive& p, const float* records, size_t stride) {
+  const auto vertex = [&](int i) { return records + p.vertex[i] * stride; };
+  const bool line = p.kind == PrimitiveKind::kLine, triangle = p.kind == PrimitiveKind::kTriangle;
+  return {{vertex(0), line || triangle ? vertex(1) : nullptr, triangle ? vertex(2) : nullptr},
+          p.size,
+          p.kind,
+          p.back_facing};
+}
+
+inline PlaneSource plane_source(const PrimitiveRecord& p) {
+  return {{p.vertex[0], p.vertex[1], p.vertex[2]}, p.size, p.kind, p.back_facing};
+}
+
+// As make_planes (primitive.h) has them.
+void make_small_planes(const SetupState& state, const PlaneSource& source, SmallPlanes& out);
 
 }  // namespace clearpipe::pipeline

@@ -70,13 +70,11 @@ HWY_INLINE void store_planes(const Planes4& planes, SmallPlanes::Four& out) {
 }
 
 template <PrimitiveKind kKind>
-HWY_INLINE void make_planes_of(const SetupState& state, const float* records,
-                               const SmallPrimitive& p, SmallPlanes& out) {
+HWY_INLINE void make_planes_of(const SetupState& state, const PlaneSource& p, SmallPlanes& out) {
   const Tag4 d;
-  const size_t stride = state.layout.stride;
-  const float* v0 = records + p.vertex[0] * stride;
-  const float* v1 = kKind == PrimitiveKind::kPoint ? v0 : records + p.vertex[1] * stride;
-  const float* v2 = kKind == PrimitiveKind::kTriangle ? records + p.vertex[2] * stride : v0;
+  const float* v0 = p.vertex[0];
+  const float* v1 = kKind == PrimitiveKind::kPoint ? v0 : p.vertex[1];
+  const float* v2 = kKind == PrimitiveKind::kTriangle ? p.vertex[2] : v0;
   const float* w0 = v0 + vertex_record::kWindow;
   const float* w1 = v1 + vertex_record::kWindow;
   const float* w2 = v2 + vertex_record::kWindow;
@@ -129,21 +127,20 @@ HWY_INLINE void make_planes_of(const SetupState& state, const float* records,
 #endif  // HWY_TARGET != HWY_SCALAR
 
 // What is rare, as make_planes does it: polygon offset, coordinates of sprites.
-HWY_INLINE void small_planes(const SetupState& state, const float* records, const SmallPrimitive& p,
-                             SmallPlanes& out) {
+HWY_INLINE void small_planes(const SetupState& state, const PlaneSource& p, SmallPlanes& out) {
 #if HWY_TARGET != HWY_SCALAR
   switch (p.kind) {
     case PrimitiveKind::kTriangle:
       if (state.raster.offset_fill) break;
-      return make_planes_of<PrimitiveKind::kTriangle>(state, records, p, out);
+      return make_planes_of<PrimitiveKind::kTriangle>(state, p, out);
     case PrimitiveKind::kLine:
-      return make_planes_of<PrimitiveKind::kLine>(state, records, p, out);
+      return make_planes_of<PrimitiveKind::kLine>(state, p, out);
     case PrimitiveKind::kPoint:
       if (state.raster.point_sprite) break;
-      return make_planes_of<PrimitiveKind::kPoint>(state, records, p, out);
+      return make_planes_of<PrimitiveKind::kPoint>(state, p, out);
   }
 #endif
-  make_small_planes(state, records, p, out);
+  make_small_planes(state, p, out);
 }
 
 }  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE
