@@ -218,14 +218,15 @@ class FrontWorker {
     for (int square = 0; square < squares; ++square) {
       const uint64_t mask = lanes_.mask(i, square);
       if (mask == 0) continue;
-      SmallPrimitive small;
+      // In its place: a copy of what was just written in pieces would wait for them.
+      SmallPrimitive& small = packet.small.emplace_back();
       small.mask = mask;
       small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
       small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
       small.kind = corners == 3 ? PrimitiveKind::kTriangle : PrimitiveKind::kLine;
       small.size = corners == 3 ? 0.0f : (other ? -1.0f : 1.0f);
       small.back_facing = corners == 3 && other;
-      add_small(i, small, packet);
+      add_last_small(i, packet);
     }
   }
 
@@ -247,11 +248,12 @@ class FrontWorker {
     if (any != 0) {
       clip(draw, corners, v, any, record, packet);
     } else if (setup_primitive(draw.setup, corners, v, record)) {
-      SmallPrimitive small;
       if (!draws_small_ || !is_small(record)) {
         add(record, packet);
-      } else if (make_small(record, small)) {
-        add_small(i, small, packet);
+      } else if (make_small(record, packet.small.emplace_back())) {
+        add_last_small(i, packet);
+      } else {
+        packet.small.pop_back();
       }
     }
   }
@@ -280,15 +282,16 @@ class FrontWorker {
     packet.primitives.push_back(record);
   }
 
-  // Primitive i of the job, of the last range whose records the packet has.
-  void add_small(uint32_t i, SmallPrimitive& primitive, Packet& packet) const {
+  // The last small primitive: primitive i of the job, of the last range whose records the packet
+  // has.
+  void add_last_small(uint32_t i, Packet& packet) const {
+    SmallPrimitive& primitive = packet.small.back();
     static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
     for (int k = 0; k < 3; ++k) {
       primitive.vertex[k] = static_cast<uint32_t>(lanes_.corner[k][i]);
     }
     primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
-    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size()));
-    packet.small.push_back(primitive);
+    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size() - 1));
   }
 
   Arena arena_;

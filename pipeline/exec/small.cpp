@@ -16,7 +16,6 @@
 #include <hwy/highway.h>
 
 #include "pipeline/fragment/small-inl.h"
-#include "pipeline/setup/small_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::exec::HWY_NAMESPACE {
@@ -33,10 +32,10 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
            std::span<const uint32_t> entries, Tile& tile) {
   SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
   const SmallPrimitive* primitives = packet.small.data();
-  SmallPlanes planes;
   uint32_t range = ~0u;
   const DrawState* draw = nullptr;
   const float* records = nullptr;
+  size_t stride = 0;
   size_t taken = 0;
   for (; taken < entries.size() && (entries[taken] & kSmallEntry) != 0; ++taken) {
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
@@ -48,11 +47,15 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
       const DrawState& next = *draws[packet.ranges[range].draw].state;
       if (draw != nullptr && next.program != draw->program) break;
       draw = &next;
+      batch.set_state(draw->setup);
       records = packet.records[range];
+      stride = draw->setup.layout.stride;
     }
-    setup::HWY_NAMESPACE::small_planes(
-        draw->setup, plane_source(primitive, records, draw->setup.layout.stride), planes);
-    batch.add(planes, small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y));
+    const float* const vertex[3] = {records + primitive.vertex[0] * stride,
+                                    records + primitive.vertex[1] * stride,
+                                    records + primitive.vertex[2] * stride};
+    batch.add(primitive.kind, primitive.back_facing, primitive.size, vertex,
+              small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y));
   }
   return taken;
 }
@@ -60,9 +63,11 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
 void add_squares(std::byte* memory, const SetupState& state, const PrimitiveRecord& primitive,
                  const CoveredSquares& squares) {
   SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
-  SmallPlanes planes;
-  setup::HWY_NAMESPACE::small_planes(state, plane_source(primitive), planes);
-  for (int i = 0; i < squares.count; ++i) batch.add(planes, squares.square[i]);
+  batch.set_state(state);
+  for (int i = 0; i < squares.count; ++i) {
+    batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
+              squares.square[i]);
+  }
 }
 
 void flush(std::byte* memory) { std::launder(reinterpret_cast<SmallBatch*>(memory))->flush(); }

@@ -24,6 +24,13 @@ HWY_INLINE V evaluate(D d, const Plane& plane, V x, V y) {
   return hn::Add(row, hn::Mul(hn::Set(d, plane.dx), x));
 }
 
+// The same of planes that differ by lane: anything with value, dx and dy in vectors.
+template <class D, class P, class V = decltype(P::value)>
+HWY_INLINE V evaluate(D, const P& plane, V x, V y) {
+  const V row = hn::Add(plane.value, hn::Mul(plane.dy, y));
+  return hn::Add(row, hn::Mul(plane.dx, x));
+}
+
 // w_clip of each fragment, the reciprocal of its interpolated inverse.
 inline void interpolate_w(const PrimitivePlanes& planes, FragmentBatch& batch) {
   const hn::ScalableTag<float> d;

@@ -1,9 +1,11 @@
 // A batch of fragments that come from many small primitives (setup/small.h).
 //
-// What depends on the primitive - depth, colour, coordinates - is evaluated when it is added, over
-// the list of its covered pixels; all that follows works on full vectors of fragments, whatever
-// primitive they belong to, with the stages of the chain. Values and their order of arithmetic are
-// those of the chain, so the bits are, too.
+// Primitives come in groups of as many as a vector has lanes: their planes are made together, one
+// primitive in each lane (setup/lane_planes-inl.h), and their pixels make one list, so that vectors
+// of fragments are full whatever the primitives cover; a fragment's plane is that of the lane that
+// its primitive has. All that follows works on the fragments of the batch, whatever primitive they
+// belong to, with the stages of the chain. Values and their order of arithmetic are those of the
+// chain, so the bits are, too.
 //
 // A pixel may stand in the batch only once: a primitive that covers one again has to wait for what
 // came before it, so the batch is shaded first.
@@ -15,32 +17,21 @@
 #define CLEARPIPE_FRAGMENT_SMALL_INL_H_
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 
 #include "pipeline/fragment/small.h"
 #include "pipeline/fragment/stages-inl.h"
+#include "pipeline/setup/lane_planes-inl.h"
 #include "pipeline/setup/small.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// The places of the set bits of a byte, one after another, a byte each.
-inline constexpr std::array<uint64_t, 256> kBitPlaces = [] {
-  std::array<uint64_t, 256> places{};
-  for (int byte = 0; byte < 256; ++byte) {
-    int at = 0;
-    for (int bit = 0; bit < 8; ++bit) {
-      if ((byte >> bit & 1) != 0) places[byte] |= static_cast<uint64_t>(bit) << (8 * at++);
-    }
-  }
-  return places;
-}();
 
 class SmallBatch {
  public:
@@ -57,24 +48,42 @@ class SmallBatch {
     }
   }
 
-  // Takes the pixels of one primitive. Its planes are only read during the call.
-  HWY_INLINE void add(const SmallPlanes& planes, const SmallCoverage& coverage) {
+  // What setup knows of the primitives that come next.
+  void set_state(const SetupState& state) {
+    if (state_ != nullptr && !makes_same_planes(*state_, state)) end_group();
+    state_ = &state;
+  }
+
+  // Takes the pixels of a primitive whose vertex records stay where they are until flush().
+  HWY_INLINE void add(PrimitiveKind kind, bool back_facing, float size, const float* const* vertex,
+                      const SmallCoverage& coverage) {
     const int count = std::popcount(coverage.mask);
-    constexpr int kRoom = kBatchSize - static_cast<int>(hn::MaxLanes(TagF())) + 1;
-    if (batch_.count + count > kRoom) flush();
+    if (batch_.count + listed_ + count > kRoom) flush();
     if (!note(coverage)) {
       flush();
       note(coverage);
     }
-    list_pixels(coverage.mask);
-    add_vector(planes, coverage, 0);
-    if (count > kLanes) add_rest(planes, coverage, count);
-    if (needs_lod_) add_level_of_detail(planes, count);
-    batch_.count += count;
+    if (group_.count == kLanes || kind != kind_) {
+      end_group();
+      kind_ = kind;
+    }
+    const int lane = group_.count++;
+    for (int k = 0; k <= static_cast<int>(kind); ++k) {
+      hwy::Prefetch(vertex[k] + vertex_record::kWindow);
+      group_.vertex[k][lane] = vertex[k];
+    }
+    group_.colour_offset[lane] = back_facing && state_->two_sided
+                                     ? state_->layout.back_colour_offset
+                                     : vertex_record::kColour;
+    group_.size[lane] = size;
+    place_[lane] = coverage.row * kTileWidth + coverage.column;
+    list_pixels(coverage.mask, count, lane);
+    listed_ += count;
   }
 
   // Shades what was added.
   void flush() {
+    end_group();
     if (batch_.count == 0) return;
     pad();
     bool any = true;
@@ -89,33 +98,91 @@ class SmallBatch {
   using TagI = hn::RebindToSigned<TagF>;
   using VecF = hn::Vec<TagF>;
   using VecI = hn::Vec<TagI>;
-  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(TagF()));
+  using LanePlane = setup::HWY_NAMESPACE::LanePlane;
+  using LanePlanes = setup::HWY_NAMESPACE::LanePlanes;
+  using LanePrimitives = setup::HWY_NAMESPACE::LanePrimitives;
+  static constexpr int kLanes = setup::HWY_NAMESPACE::kPlaneLanes;
+  static constexpr int kRoom = kBatchSize - kLanes + 1;  // the last vector may be stored whole
+  static constexpr int kListed = 4;                      // pixels that are listed at a time
   // Squares of a row, with one more at its end, and rows with one more above.
   static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
   static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
 
-  // A vector of the listed pixels from `first` on.
-  HWY_INLINE void add_vector(const SmallPlanes& planes, const SmallCoverage& coverage, int first) {
+  // Whether primitives of two draws can be in one group. Their programs are the same.
+  static bool makes_same_planes(const SetupState& a, const SetupState& b) {
+    if (&a == &b) return true;
+    const RasterState &s = a.raster, &t = b.raster;
+    return std::equal(std::begin(a.layout.texture_offset), std::end(a.layout.texture_offset),
+                      std::begin(b.layout.texture_offset)) &&
+           a.mirror_height == b.mirror_height && s.flat_shade == t.flat_shade && !s.offset_fill &&
+           !t.offset_fill && s.point_sprite == t.point_sprite && s.coord_replace == t.coord_replace;
+  }
+
+  // The planes of a lane's primitive, for the fragments of a vector.
+  class FragmentPlanes {
+   public:
+    HWY_INLINE explicit FragmentPlanes(VecI lane)
+        : float_index_(hn::IndicesFromVec(TagF(), lane)),
+          whole_index_(hn::IndicesFromVec(TagI(), lane)) {}
+    HWY_INLINE VecF operator()(VecF values) const {
+      return hn::TableLookupLanes(values, float_index_);
+    }
+    HWY_INLINE VecI operator()(VecI values) const {
+      return hn::TableLookupLanes(values, whole_index_);
+    }
+    HWY_INLINE LanePlane operator()(const LanePlane& plane) const {
+      return {(*this)(plane.value), (*this)(plane.dx), (*this)(plane.dy)};
+    }
+
+   private:
+    decltype(hn::IndicesFromVec(TagF(), VecI())) float_index_;
+    decltype(hn::IndicesFromVec(TagI(), VecI())) whole_index_;
+  };
+
+  // Evaluates what depends on the primitives of the group: depth, colour, coordinates.
+  void end_group() {
+    if (group_.count == 0) return;
+    group_.pad();
+    LanePlanes planes;
+    setup::HWY_NAMESPACE::make_lane_planes(*state_, kind_, group_, planes);
     const TagF d;
     const TagI di;
     const hn::Rebind<uint8_t, TagI> d8;
     static_assert(kTileWidth == 1 << 6 && kSmallSide == 1 << 3);
-    const VecI place = hn::PromoteTo(di, hn::LoadU(d8, places_ + first));
-    const VecI column = hn::Add(hn::And(place, hn::Set(di, 7)), hn::Set(di, coverage.column));
-    const VecI row = hn::Add(hn::ShiftRight<3>(place), hn::Set(di, coverage.row));
-    const int at = batch_.count + first;
-    hn::StoreU(hn::Add(hn::ShiftLeft<6>(row), column), di, offset_ + at);
-    // From whole numbers, as the chain has it.
-    const VecF x = hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))),
-                           hn::Set(d, 0.5f - planes.x_ref));
-    const VecF y = hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))),
-                           hn::Set(d, 0.5f - planes.y_ref));
-    evaluate_varyings(planes, x, y, at);
+    const VecI places = hn::Load(di, place_);
+    const VecF half = hn::Set(d, 0.5f);
+    const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
+    for (int i = 0; i < listed_; i += kLanes) {
+      const FragmentPlanes of(hn::PromoteTo(di, hn::LoadU(d8, lane_ + i)));
+      const VecI pixel = hn::PromoteTo(di, hn::LoadU(d8, pixel_ + i));
+      const VecI in_row = hn::And(pixel, hn::Set(di, kSmallSide - 1));
+      const VecI offset =
+          hn::Add(of(places), hn::Add(hn::ShiftLeft<3>(hn::Sub(pixel, in_row)), in_row));
+      const VecI column = hn::And(offset, hn::Set(di, kTileWidth - 1));
+      const VecI row = hn::ShiftRight<6>(offset);
+      const int at = batch_.count + i;
+      hn::StoreU(offset, di, offset_ + at);
+      // From whole numbers, as the chain has it.
+      const VecF x = hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))), of(to_x));
+      const VecF y = hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))), of(to_y));
+      evaluate_varyings(planes, of, x, y, at);
+      if (needs_lod_) {
+        const VecI left = hn::AndNot(hn::Set(di, 1), hn::Add(column, hn::Set(di, tile_.x)));
+        add_level_of_detail(planes, of, hn::Add(hn::ConvertTo(d, left), of(to_x)),
+                            hn::Add(hn::ConvertTo(d, quad_rows(row)), of(to_y)), at);
+      }
+    }
+    batch_.count += listed_;
+    group_.count = listed_ = 0;
   }
 
-  // All but the first vector, apart, so that it keeps no register from the first.
-  HWY_NOINLINE void add_rest(const SmallPlanes& planes, const SmallCoverage& coverage, int count) {
-    for (int i = kLanes; i < count; i += kLanes) add_vector(planes, coverage, i);
+  // quad_row() of rows of the tile.
+  HWY_INLINE VecI quad_rows(VecI row) const {
+    const TagI d;
+    const VecI one = hn::Set(d, 1), y = hn::Add(row, hn::Set(d, tile_.y));
+    if (tile_.mirror_height == 0) return hn::AndNot(one, y);
+    const VecI last = hn::Set(d, tile_.mirror_height - 1);
+    return hn::Sub(last, hn::AndNot(one, hn::Sub(last, y)));
   }
 
   // Notes the pixels of a primitive; false, and nothing is noted, when one is in the batch already.
@@ -142,79 +209,67 @@ class SmallBatch {
     return true;
   }
 
-  // The places of the mask's set bits into places_. Where a row's begin is the number of bits in
-  // the rows before it.
-  HWY_INLINE void list_pixels(uint64_t mask) {
-    constexpr uint64_t kEachRow = 0x0101010101010101u;
-    uint64_t begin = mask - (mask >> 1 & 0x5555555555555555u);
-    begin = (begin & 0x3333333333333333u) + (begin >> 2 & 0x3333333333333333u);
-    begin = ((begin + (begin >> 4)) & 0x0f0f0f0f0f0f0f0fu) * kEachRow << 8;
-    for (uint64_t rows = mask, row = 0; rows != 0; rows >>= 32, begin >>= 32, row += 4) {
-      for (int j = 0; j < 4; ++j) {
-        const uint64_t places =
-            kBitPlaces[rows >> 8 * j & 0xff] + (row + j) * kSmallSide * kEachRow;
-        std::memcpy(places_ + (begin >> 8 * j & 0xff), &places, sizeof(places));
+  // Lists the set bits of the mask of the primitive in a lane, four at a time: most masks have no
+  // more, and none of what it takes to list a few of them depends on their number.
+  HWY_INLINE void list_pixels(uint64_t mask, int count, int lane) {
+    static_assert(kListed == 4);
+    const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
+    for (int i = listed_; i < listed_ + count; i += kListed) {
+      for (int j = 0; j < kListed; ++j) {
+        pixel_[i + j] = static_cast<uint8_t>(std::countr_zero(mask));
+        mask &= mask - 1;
       }
+      std::memcpy(lane_ + i, &lanes, sizeof(lanes));
     }
   }
 
-  HWY_INLINE void evaluate_varyings(const SmallPlanes& planes, VecF x, VecF y, int at) {
+  HWY_INLINE void evaluate_varyings(const LanePlanes& planes, const FragmentPlanes& of, VecF x,
+                                    VecF y, int at) {
     const TagF d;
     const FragmentInputs& inputs = program_.inputs;
-    if (inputs.depth) hn::StoreU(value(planes.window, kDepthPlane, x, y), d, depth_ + at);
+    const auto value = [&](const LanePlane& plane)
+                           HWY_ATTR { return evaluate(d, of(plane), x, y); };
+    if (inputs.depth) hn::StoreU(value(planes.depth), d, depth_ + at);
     if (!inputs.colour) return;
-    VecF w = hn::Set(d, 1.0f);
-    if (planes.perspective) w = hn::Div(w, value(planes.window, kInverseWPlane, x, y));
-    const bool divided = planes.perspective && !planes.flat_colour;
-    for (int c = 0; c < 4; ++c) {
-      VecF colour = value(planes.colour, c, x, y);
-      if (divided) colour = hn::Mul(colour, w);
-      hn::StoreU(colour, d, colour_[c] + at);
+    const VecF one = hn::Set(d, 1.0f);
+    VecF w = one;
+    if (planes.perspective) w = hn::Div(w, value(planes.inv_w));
+    if (planes.flat_colour) {
+      for (int c = 0; c < 4; ++c) hn::StoreU(of(planes.colour[c].value), d, colour_[c] + at);
+    } else {
+      VecF by = one;
+      if (planes.perspective) {
+        const VecI divided = of(hn::VecFromMask(TagI(), hn::RebindMask(TagI(), planes.divided)));
+        by = hn::IfThenElse(hn::RebindMask(d, hn::MaskFromVec(divided)), w, one);
+      }
+      for (int c = 0; c < 4; ++c) {
+        hn::StoreU(hn::Mul(value(planes.colour[c]), by), d, colour_[c] + at);
+      }
     }
-    if (inputs.fog) {
-      VecF coordinate = value(planes.fog_group, kFogPlane, x, y);
-      if (planes.perspective) coordinate = hn::Mul(coordinate, w);
-      hn::StoreU(coordinate, d, fog_ + at);
-    }
+    if (inputs.fog) hn::StoreU(hn::Mul(value(planes.fog), w), d, fog_ + at);
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((inputs.texture_units >> unit & 1) == 0) continue;
-      const SmallPlanes::Four& texture = planes.texture[unit];
-      const VecF q = hn::Div(hn::Set(d, 1.0f), value(texture, 3, x, y));
-      hn::StoreU(hn::Mul(value(texture, 0, x, y), q), d, coordinates_[unit].s + at);
-      hn::StoreU(hn::Mul(value(texture, 1, x, y), q), d, coordinates_[unit].t + at);
+      const auto& texture = planes.texture[unit];
+      const VecF q = hn::Div(one, value(texture[3]));
+      hn::StoreU(hn::Mul(value(texture[0]), q), d, coordinates_[unit].s + at);
+      hn::StoreU(hn::Mul(value(texture[1]), q), d, coordinates_[unit].t + at);
     }
   }
 
-  // `evaluate` of one plane of four.
-  static HWY_INLINE VecF value(const SmallPlanes::Four& four, int i, VecF x, VecF y) {
-    return evaluate(TagF(), four.plane(i), x, y);
-  }
-
-  // Of the fragments that are being added; their offsets are noted already.
-  void add_level_of_detail(const SmallPlanes& planes, int count) {
-    const int at = batch_.count;
-    PrimitivePlanes reference;
-    reference.x_ref = planes.x_ref;
-    reference.y_ref = planes.y_ref;
-    // The batch's own arrays are free until a unit samples.
-    batch_.count = count;
-    for (int i = 0; i < count; ++i) batch_.offset[i] = static_cast<uint16_t>(offset_[at + i]);
+  // Of fragments whose quads have their corners at (x, y).
+  void add_level_of_detail(const LanePlanes& planes, const FragmentPlanes& of, VecF x, VecF y,
+                           int at) {
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
       const SampleState& sample = program_.unit[unit].sample;
       if (!sample.needs_lod) continue;
-      Plane texture[4];
-      for (int i = 0; i < 4; ++i) texture[i] = planes.texture[unit].plane(i);
-      level_of_detail(reference, texture, sample, tile_, batch_);
+      const auto& texture = planes.texture[unit];
+      const LanePlane own[4] = {of(texture[0]), of(texture[1]), {}, of(texture[3])};
       UnitCoordinates& to = coordinates_[unit];
-      std::copy_n(batch_.lod, count, to.lod + at);
-      if (sample.sampler.max_anisotropy > 1) {
-        std::copy_n(batch_.probes, count, to.probes + at);
-        std::copy_n(batch_.along_s, count, to.along_s + at);
-        std::copy_n(batch_.along_t, count, to.along_t + at);
-      }
+      store_level_of_detail(
+          TagF(), quad_footprint(TagF(), own, sample.levels[sample.first_level], tile_, x, y),
+          sample, {to.lod, to.probes, to.along_s, to.along_t}, at);
     }
-    batch_.count = at;
   }
 
   // Stages work on whole vectors: the places behind the last fragment are dead.
@@ -374,9 +429,16 @@ class SmallBatch {
   const bool replaces_;  // what lives replaces the whole pixel
   bool needs_lod_ = false;
   int padded_ = 0;
-  alignas(8) uint8_t places_[kSmallSide * kSmallSide + 64];  // a vector may be read at the last
-  uint64_t pending_[kSquares] = {};                          // the pixels in the batch
-  alignas(64) int32_t offset_[kBatchSize];                   // index into the tile's planes
+  // The group: its primitives, where their masks lie in the tile, and their pixels: bits of the
+  // masks, and in which lane the primitive is. A few more are written behind the last.
+  const SetupState* state_ = nullptr;
+  PrimitiveKind kind_ = PrimitiveKind::kTriangle;
+  LanePrimitives group_;
+  alignas(64) int32_t place_[kLanes] = {};
+  int listed_ = 0;
+  alignas(64) uint8_t pixel_[kBatchSize + kListed] = {}, lane_[kBatchSize + kListed] = {};
+  uint64_t pending_[kSquares] = {};         // the pixels in the batch or the group
+  alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes
   alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
   UnitCoordinates coordinates_[kSmallUnits];
   FragmentBatch batch_;

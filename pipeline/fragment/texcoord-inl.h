@@ -26,8 +26,9 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void coordinate_at(D d, const Plane* planes, V x, V y, V& s, V& t) {
+// Here and below, planes are four of Plane, or of planes that differ by lane.
+template <class D, class P, class V = hn::Vec<D>>
+HWY_INLINE void coordinate_at(D d, const P* planes, V x, V y, V& s, V& t) {
   const V reciprocal_q = hn::Div(hn::Set(d, 1.0f), evaluate(d, planes[3], x, y));
   s = hn::Mul(evaluate(d, planes[0], x, y), reciprocal_q);
   t = hn::Mul(evaluate(d, planes[1], x, y), reciprocal_q);
@@ -95,8 +96,8 @@ struct Footprint {
 };
 
 // Of the quads whose corners have their centres at (x, y).
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Footprint<V> quad_footprint(D d, const Plane* planes, const SampleLevel& level,
+template <class D, class P, class V = hn::Vec<D>>
+HWY_INLINE Footprint<V> quad_footprint(D d, const P* planes, const SampleLevel& level,
                                        const Tile& tile, V x, V y) {
   const V width = hn::Set(d, static_cast<float>(level.width));
   const V height = hn::Set(d, static_cast<float>(level.height));
@@ -118,6 +119,29 @@ HWY_INLINE V level_of_detail(D d, const Footprint<V>& f) {
   return half_log2(d, positive_number(d, hn::IfThenElse(x_is_longer, f.along_x, f.along_y)));
 }
 
+// The level of detail of a vector of fragments, and what anisotropic filtering needs, as
+// FragmentBatch has them.
+struct LevelArrays {
+  float *lod, *probes, *along_s, *along_t;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void store_level_of_detail(D d, const Footprint<V>& f, const SampleState& sample,
+                                      const LevelArrays& to, int at) {
+  if (sample.sampler.max_anisotropy <= 1) {
+    hn::StoreU(level_of_detail(d, f), d, to.lod + at);
+    return;
+  }
+  const auto x_is_longer = hn::Gt(f.along_x, f.along_y);
+  V rho_squared = positive_number(d, hn::IfThenElse(x_is_longer, f.along_x, f.along_y));
+  const V shorter = hn::IfThenElse(x_is_longer, f.along_y, f.along_x);
+  const V probes = probe_count(d, rho_squared, shorter, hn::Set(d, sample.sampler.max_anisotropy));
+  hn::StoreU(probes, d, to.probes + at);
+  hn::StoreU(hn::IfThenElse(x_is_longer, f.s_x, f.s_y), d, to.along_s + at);
+  hn::StoreU(hn::IfThenElse(x_is_longer, f.t_x, f.t_y), d, to.along_t + at);
+  rho_squared = positive_number(d, hn::Div(rho_squared, hn::Mul(probes, probes)));
+  hn::StoreU(half_log2(d, rho_squared), d, to.lod + at);
+}
+
 // The level of detail into batch.lod, and what anisotropic filtering needs.
 inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* planes,
                             const SampleState& sample, const Tile& tile, FragmentBatch& batch) {
@@ -132,24 +156,11 @@ inline void level_of_detail(const PrimitivePlanes& primitive, const Plane* plane
   }
   const V to_x = hn::Set(d, 0.5f - primitive.x_ref);
   const V to_y = hn::Set(d, 0.5f - primitive.y_ref);
+  const LevelArrays to = {batch.lod, batch.probes, batch.along_s, batch.along_t};
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const V x = hn::Add(hn::ConvertTo(d, hn::Load(di, column + i)), to_x);
     const V y = hn::Add(hn::ConvertTo(d, hn::Load(di, row + i)), to_y);
-    const Footprint<V> f = quad_footprint(d, planes, level, tile, x, y);
-    if (sample.sampler.max_anisotropy <= 1) {
-      hn::Store(level_of_detail(d, f), d, batch.lod + i);
-      continue;
-    }
-    const auto x_is_longer = hn::Gt(f.along_x, f.along_y);
-    V rho_squared = positive_number(d, hn::IfThenElse(x_is_longer, f.along_x, f.along_y));
-    const V shorter = hn::IfThenElse(x_is_longer, f.along_y, f.along_x);
-    const V probes =
-        probe_count(d, rho_squared, shorter, hn::Set(d, sample.sampler.max_anisotropy));
-    hn::Store(probes, d, batch.probes + i);
-    hn::Store(hn::IfThenElse(x_is_longer, f.s_x, f.s_y), d, batch.along_s + i);
-    hn::Store(hn::IfThenElse(x_is_longer, f.t_x, f.t_y), d, batch.along_t + i);
-    rho_squared = positive_number(d, hn::Div(rho_squared, hn::Mul(probes, probes)));
-    hn::Store(half_log2(d, rho_squared), d, batch.lod + i);
+    store_level_of_detail(d, quad_footprint(d, planes, level, tile, x, y), sample, to, i);
   }
 }
 

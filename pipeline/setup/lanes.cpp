@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/setup/lanes.h"
 
+#include <hwy/cache_control.h>
+
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -15,12 +17,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::setup::HWY_NAMESPACE {
 
+// The last vertices of the primitives from i on: a large draw's are not in the nearest cache any
+// more, and most others were those of a primitive before.
+HWY_INLINE void fetch_ahead(const SetupState& state, const LaneJob& job, int corner, size_t i) {
+  const size_t end = std::min(i + hn::Lanes(TagI()), job.count);
+  const float* const window = job.records + vertex_record::kWindow;
+  for (; i < end; ++i) {
+    hwy::Prefetch(window + static_cast<ptrdiff_t>(job.corner[corner][i]) * state.layout.stride);
+  }
+}
+
 void SetupTriangles(const SetupState& state, const LaneJob& job) {
-  for (size_t i = 0; i < job.count; i += hn::Lanes(TagI())) setup_triangle_lanes(state, job, i);
+  constexpr size_t kLanes = hn::MaxLanes(TagI());
+  for (size_t i = 0; i < job.count; i += kLanes) {
+    fetch_ahead(state, job, 2, i + 2 * kLanes);
+    setup_triangle_lanes(state, job, i);
+  }
 }
 
 void SetupLines(const SetupState& state, const LaneJob& job) {
-  for (size_t i = 0; i < job.count; i += hn::Lanes(TagI())) setup_line_lanes(state, job, i);
+  constexpr size_t kLanes = hn::MaxLanes(TagI());
+  for (size_t i = 0; i < job.count; i += kLanes) {
+    fetch_ahead(state, job, 1, i + 2 * kLanes);
+    setup_line_lanes(state, job, i);
+  }
 }
 
 }  // namespace clearpipe::pipeline::setup::HWY_NAMESPACE

@@ -78,18 +78,6 @@ SmoothRegion smooth_region(const SetupState& state, const PrimitiveRecord& p) {
           window_y(state, p.vertex[1]) - window_y(state, p.vertex[0])};
 }
 
-// 3.5.2: o = m * factor + r * units, with r the smallest step of the depth buffer, or of window
-// depth itself where that is coarser.
-float polygon_offset(const SetupState& state, const Plane& depth) {
-  const RasterState& raster = state.raster;
-  const float resolution = state.depth_bits == 16 ? 1.0f / 65535.0f : 1.0f / 16777215.0f;
-  const float slope = std::max(std::fabs(depth.dx), std::fabs(depth.dy));
-  const float offset = slope * raster.offset_factor + resolution * raster.offset_units;
-  if (raster.offset_clamp == 0) return offset;  // EXT_polygon_offset_clamp
-  return raster.offset_clamp > 0 ? std::min(offset, raster.offset_clamp)
-                                 : std::max(offset, raster.offset_clamp);
-}
-
 // 3.3.1: s runs from 0 to 1 across the sprite, t from 0 at its top edge to 1 at its bottom edge.
 void make_sprite_planes(const PrimitiveRecord& p, float inverse_w, Plane* out) {
   const float step = 1.0f / p.size;
@@ -130,6 +118,18 @@ void set_depth_plane(const SetupState& state, const PrimitiveRecord& p, const Co
 }
 
 }  // namespace
+
+// 3.5.2: o = m * factor + r * units, with r the smallest step of the depth buffer, or of window
+// depth itself where that is coarser.
+float polygon_offset(const SetupState& state, const Plane& depth) {
+  const RasterState& raster = state.raster;
+  const float resolution = state.depth_bits == 16 ? 1.0f / 65535.0f : 1.0f / 16777215.0f;
+  const float slope = std::max(std::fabs(depth.dx), std::fabs(depth.dy));
+  const float offset = slope * raster.offset_factor + resolution * raster.offset_units;
+  if (raster.offset_clamp == 0) return offset;  // EXT_polygon_offset_clamp
+  return raster.offset_clamp > 0 ? std::min(offset, raster.offset_clamp)
+                                 : std::max(offset, raster.offset_clamp);
+}
 
 void make_depth_plane(const SetupState& state, const PrimitiveRecord& p, PrimitivePlanes& out) {
   set_depth_plane(state, p, Corners(state, p), out);

@@ -66,6 +66,9 @@ void make_planes(const SetupState& state, const PrimitiveRecord& primitive, Prim
 void make_depth_plane(const SetupState& state, const PrimitiveRecord& primitive,
                       PrimitivePlanes& out);
 
+// What is added to the depth of a polygon's fragments (3.5.2).
+float polygon_offset(const SetupState& state, const Plane& depth);
+
 // Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
 struct SnappedPoint {
   int32_t x = 0, y = 0;

@@ -30,12 +30,6 @@ uint64_t mask_of(const PrimitiveRecord& primitive) {
   return mask;
 }
 
-void set_plane(const Plane& plane, SmallPlanes::Four& out, int i) {
-  out.value[i] = plane.value;
-  out.dx[i] = plane.dx;
-  out.dy[i] = plane.dy;
-}
-
 }  // namespace
 
 bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out) {
@@ -47,28 +41,6 @@ bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out) {
   out.kind = primitive.kind;
   out.back_facing = primitive.back_facing;
   return true;
-}
-
-void make_small_planes(const SetupState& state, const PlaneSource& source, SmallPlanes& out) {
-  PrimitiveRecord record;
-  std::copy_n(source.vertex, 3, record.vertex);
-  record.size = source.size;
-  record.kind = source.kind;
-  record.back_facing = source.back_facing;
-  PrimitivePlanes planes;
-  make_planes(state, record, planes);
-  out.x_ref = planes.x_ref;
-  out.y_ref = planes.y_ref;
-  out.perspective = planes.perspective;
-  out.flat_colour = planes.flat_colour;
-  set_plane(planes.depth, out.window, kDepthPlane);
-  set_plane(planes.inv_w, out.window, kInverseWPlane);
-  set_plane(planes.fog, out.fog_group, kFogPlane);
-  for (int i = 0; i < 4; ++i) set_plane(planes.colour[i], out.colour, i);
-  for (int unit = 0; unit < kMaxTextureUnits; ++unit) {
-    if ((state.inputs.texture_units >> unit & 1) == 0) continue;
-    for (int i = 0; i < 4; ++i) set_plane(planes.texture[unit][i], out.texture[unit], i);
-  }
 }
 
 }  // namespace clearpipe::pipeline

@@ -60,48 +60,4 @@ inline bool is_small(const PrimitiveRecord& primitive) {
 // false when it covers none. The vertices and the range are left to the caller.
 bool make_small(const PrimitiveRecord& primitive, SmallPrimitive& out);
 
-// The planes of a small primitive (PrimitivePlanes, fragment/program.h), those of an attribute's
-// components beside each other.
-struct SmallPlanes {
-  struct Four {
-    alignas(16) float value[4], dx[4], dy[4];
-
-    Plane plane(int i) const { return {value[i], dx[i], dy[i]}; }
-  };
-
-  float x_ref = 0, y_ref = 0;
-  bool perspective = false, flat_colour = false;
-  Four window;     // x, y, z, 1/w: the last two are used
-  Four fog_group;  // the group of the vertex record that the fog coordinate is in
-  Four colour;
-  Four texture[kMaxTextureUnits];
-};
-inline constexpr int kDepthPlane = 2, kInverseWPlane = 3;                        // of window
-inline constexpr int kFogPlane = vertex_record::kFog - vertex_record::kOutcode;  // of fog_group
-
-// What planes are made of.
-struct PlaneSource {
-  const float* vertex[3];  // vertex records, as many as the kind has
-  float size;
-  PrimitiveKind kind;
-  bool back_facing;
-};
-
-// `records` are the vertex records of the range.
-inline PlaneSource plane_source(const SmallPrimitive& p, const float* records, size_t stride) {
-  const auto vertex = [&](int i) { return records + p.vertex[i] * stride; };
-  const bool line = p.kind == PrimitiveKind::kLine, triangle = p.kind == PrimitiveKind::kTriangle;
-  return {{vertex(0), line || triangle ? vertex(1) : nullptr, triangle ? vertex(2) : nullptr},
-          p.size,
-          p.kind,
-          p.back_facing};
-}
-
-inline PlaneSource plane_source(const PrimitiveRecord& p) {
-  return {{p.vertex[0], p.vertex[1], p.vertex[2]}, p.size, p.kind, p.back_facing};
-}
-
-// As make_planes (primitive.h) has them.
-void make_small_planes(const SetupState& state, const PlaneSource& source, SmallPlanes& out);
-
 }  // namespace clearpipe::pipeline
