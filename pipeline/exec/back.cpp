@@ -149,13 +149,22 @@ void count_small(const FragmentProgram& program, const Packet& packet,
   count_pixels(program, UsageForm::kSmall, pixels);
 }
 
+void fetch(const PrimitiveRecord& primitive) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
+  for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+}
+
 // The primitives of a packet that touch the tile.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
                   std::span<const uint32_t> entries, const Target& target, TilePlanes& planes,
                   TileDepth& depth, BackWorker& worker) {
+  constexpr size_t kAhead = 3;
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
     if ((index & kSmallEntry) == 0) {
+      if (at + kAhead < entries.size() && (entries[at + kAhead] & kSmallEntry) == 0) {
+        fetch(packet.primitives[entries[at + kAhead]]);
+      }
       const PrimitiveRecord& primitive = packet.primitives[index];
       const DrawState& draw = *draws[primitive.draw].state;
       if (primitive.narrow) {
@@ -197,8 +206,7 @@ void fetch_ahead(const std::vector<DrawRecord>& draws,
       if ((entry & kSmallEntry) == 0) {
         const PrimitiveRecord& primitive = packet.primitives[entry];
         if (primitives) {
-          const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
-          for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+          fetch(primitive);
         } else {
           for (const float* vertex : primitive.vertex) hwy::Prefetch(vertex);
         }
