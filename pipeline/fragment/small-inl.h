@@ -129,6 +129,7 @@ class SmallBatch {
     if (group_.is_empty()) return;
     LanePlanes planes;
     group_.make_planes(*state_, planes);
+    compare_planes(planes);
     const TagF d;
     const TagI di;
     const VecF half = hn::Set(d, 0.5f);
@@ -148,6 +149,23 @@ class SmallBatch {
     batch_.count += count;
     group_.clear();
     if (in_order_) pending_.forget();
+  }
+
+  // Coordinates without a q of their own are divided by what colours are.
+  HWY_INLINE void compare_planes(const LanePlanes& planes) {
+    const TagF d;
+    const LanePlane one = {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d)};
+    const LanePlane& inv_w = planes.perspective ? planes.inv_w : one;
+    for (int unit = 0; unit < kSmallUnits; ++unit) {
+      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
+      const LanePlane& q = planes.texture[unit][3];
+      const auto differ = [](VecF a, VecF b) HWY_ATTR {
+        return hn::Xor(hn::BitCast(TagI(), a), hn::BitCast(TagI(), b));
+      };
+      const VecI any = hn::Or(differ(q.value, inv_w.value),
+                              hn::Or(differ(q.dx, inv_w.dx), differ(q.dy, inv_w.dy)));
+      q_is_inv_w_[unit] = hn::AllTrue(TagI(), hn::Eq(any, hn::Zero(TagI())));
+    }
   }
 
   // The places and lanes of all that is listed; returns how many.
@@ -228,7 +246,7 @@ class SmallBatch {
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((inputs.texture_units >> unit & 1) == 0) continue;
       const auto& texture = planes.texture[unit];
-      const VecF q = hn::Div(one, value(texture[3]));
+      const VecF q = q_is_inv_w_[unit] ? w : hn::Div(one, value(texture[3]));
       hn::StoreU(hn::Mul(value(texture[0]), q), d, coordinates_[unit].s + at);
       hn::StoreU(hn::Mul(value(texture[1]), q), d, coordinates_[unit].t + at);
     }
@@ -237,6 +255,10 @@ class SmallBatch {
   // Of fragments whose quads have their corners at (x, y).
   void add_level_of_detail(const LanePlanes& planes, const FragmentPlanes& of, VecF x, VecF y,
                            int at) {
+    const TagF d;
+    const VecF one = hn::Set(d, 1.0f);
+    QuadReciprocals<VecF> w{one, one, one};
+    if (planes.perspective) w = quad_reciprocals(d, of(planes.inv_w), tile_, x, y);
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
       const SampleState& sample = program_.unit[unit].sample;
@@ -244,9 +266,11 @@ class SmallBatch {
       const auto& texture = planes.texture[unit];
       const LanePlane own[4] = {of(texture[0]), of(texture[1]), {}, of(texture[3])};
       UnitCoordinates& to = coordinates_[unit];
-      store_level_of_detail(
-          TagF(), quad_footprint(TagF(), own, sample.levels[sample.first_level], tile_, x, y),
-          sample, {to.lod, to.probes, to.along_s, to.along_t}, at);
+      const SampleLevel& level = sample.levels[sample.first_level];
+      const Footprint<VecF> footprint = q_is_inv_w_[unit]
+                                            ? quad_footprint(d, own, level, tile_, x, y, w)
+                                            : quad_footprint(d, own, level, tile_, x, y);
+      store_level_of_detail(d, footprint, sample, {to.lod, to.probes, to.along_s, to.along_t}, at);
     }
   }
 
@@ -409,6 +433,7 @@ class SmallBatch {
   // not in a group.
   const bool in_order_;
   bool needs_lod_ = false;
+  bool q_is_inv_w_[kSmallUnits] = {};  // of the group, whose w is 1 without perspective
   int padded_ = 0;
   const SetupState* state_ = nullptr;
   SmallGroup group_;

@@ -13,8 +13,8 @@ namespace {
 // Whether a polygon covers few pixels of a row, on average: then its pixels are shaded with those
 // of other primitives (exec/small.h), else a row at a time. `height` is that of its box.
 bool is_narrow(int64_t doubled_area, int32_t height) {
-  constexpr int64_t kPixels = 12;
-  return std::abs(doubled_area) <= 2 * kPixels * kSubpixelOne * height;
+  constexpr int64_t kPixels = 16;
+  return std::abs(doubled_area) < 2 * kPixels * kSubpixelOne * height;
 }
 
 }  // namespace
