@@ -149,9 +149,11 @@ void count_small(const FragmentProgram& program, const Packet& packet,
   count_pixels(program, UsageForm::kSmall, pixels);
 }
 
+// A record may begin anywhere in a cache line.
 void fetch(const PrimitiveRecord& primitive) {
   const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
   for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+  hwy::Prefetch(bytes + sizeof(primitive) - 1);
 }
 
 // The primitives of a packet that touch the tile.

@@ -1,5 +1,6 @@
 // Shading of small and of narrow primitives in the back phase: batches of their fragments, which
-// may go on from one packet of a tile to the next. SPDX-License-Identifier: MIT
+// may go on from one packet of a tile to the next.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -15,6 +15,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "pipeline/fragment/batch.h"
 #include "pipeline/setup/lane_planes-inl.h"
@@ -162,12 +163,17 @@ class PendingPixels {
     constexpr uint64_t kEachRow = 0x0101010101010101u;
     const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
     const uint64_t mask = coverage.mask;
+    uint64_t* square =
+        square_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
+    if ((dx | dy) == 0) {  // as the squares of narrow primitives are
+      if ((*square & mask) != 0) return false;
+      *square |= mask;
+      return true;
+    }
+    // The mask lies across four squares.
     const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
     const uint64_t left = mask << dx & ~right_columns;
     const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
-    // The mask lies across four squares.
-    uint64_t* square =
-        square_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
     // Rows that move on to the next square: all 64 bits when dy is 0, so in two steps.
     const auto above = [dy](uint64_t m) { return m >> (56 - kSmallSide * dy) >> kSmallSide; };
     const uint64_t parts[4] = {left << kSmallSide * dy, right << kSmallSide * dy, above(left),
@@ -181,18 +187,23 @@ class PendingPixels {
     return true;
   }
 
-  HWY_INLINE void forget() {
-    const hn::ScalableTag<uint64_t> d;
-    constexpr int kStep = static_cast<int>(hn::MaxLanes(d));
-    static_assert(kWholeVectors % kStep == 0);
-    for (int i = 0; i < kWholeVectors; i += kStep) hn::Store(hn::Zero(d), d, square_ + i);
-  }
+  void forget() { forget_vectors(std::make_index_sequence<kWholeVectors / kStep>()); }
 
  private:
   // Squares of a row, with one more at its end, and rows with one more above.
   static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
   static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
   static constexpr int kWholeVectors = (kSquares + 7) / 8 * 8;
+  using TagSquares = hn::ScalableTag<uint64_t>;
+  static constexpr int kStep = static_cast<int>(hn::MaxLanes(TagSquares()));
+  static_assert(kWholeVectors % kStep == 0);
+
+  // No loop, which compilers make a slow string instruction of.
+  template <size_t... i>
+  HWY_INLINE void forget_vectors(std::index_sequence<i...>) {
+    const TagSquares d;
+    (hn::Store(hn::Zero(d), d, square_ + i * kStep), ...);
+  }
 
   alignas(64) uint64_t square_[kWholeVectors] = {};
 };

@@ -1,6 +1,7 @@
 // Coverage against exact arithmetic: every pixel of random polygons, and the partition of the plane
 // by triangles that share edges (3.5.1); as rows and as squares. Runs on the SIMD target that
-// CLEARPIPE_SIMD selects. SPDX-License-Identifier: MIT
+// CLEARPIPE_SIMD selects.
+// SPDX-License-Identifier: MIT
 #include "pipeline/raster/coverage.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "pipeline/bin/bins.h"
 #include "pipeline/raster/squares.h"
 
 namespace clearpipe::pipeline {
@@ -251,6 +253,40 @@ TEST(Coverage, SharedEdgesHaveNoGapAndNoDoubleHit) {
       }
     }
     for (const int hits : count_hits(primitives)) ASSERT_EQ(hits, 1) << "round " << round;
+  }
+}
+
+// Bins walk from tile to tile; each tile by itself says the same.
+TEST(Coverage, BinsNameTheTilesThatAreNotMissed) {
+  std::mt19937 random(8);
+  const SetupState state = test_state();
+  const TileGrid grid = make_tile_grid(kSize, kSize);
+  for (int round = 0; round < 2000; ++round) {
+    const int range = round % 2 == 0 ? kSize * 256 : 6000000;
+    std::uniform_int_distribution<int> coordinate(-range / 4, range);
+    SnappedPoint corners[3];
+    for (SnappedPoint& corner : corners) corner = {coordinate(random), coordinate(random)};
+    if (round % 3 == 0) corners[2] = {corners[1].x + 200, corners[1].y - 100};
+    PrimitiveRecord p;
+    if (!set_polygon(state, corners, 3, p)) continue;
+    BinScratch scratch;
+    Bins bins;
+    bins.reset(grid, scratch);
+    bins.add(p, 0);
+    bins.close();
+    std::vector<int> named(static_cast<size_t>(grid.count()));
+    for (const Bins::List& list : bins.lists()) named[list.tile] = static_cast<int>(list.count);
+    for (int row = p.y0 / kTileHeight; row <= (p.y1 - 1) / kTileHeight; ++row) {
+      for (int column = p.x0 / kTileWidth; column <= (p.x1 - 1) / kTileWidth; ++column) {
+        int& tile = named[static_cast<size_t>(row * grid.columns + column)];
+        const bool missed = misses_tile(p, column * kTileWidth, row * kTileHeight);
+        const bool tested = p.x0 / kTileWidth != (p.x1 - 1) / kTileWidth &&
+                            p.y0 / kTileHeight != (p.y1 - 1) / kTileHeight;
+        ASSERT_EQ(tile, tested && missed ? 0 : 1) << round << ": " << column << "," << row;
+        tile = 0;
+      }
+    }
+    for (const int count : named) ASSERT_EQ(count, 0) << round;
   }
 }
 
