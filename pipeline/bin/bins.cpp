@@ -10,6 +10,45 @@
 
 namespace clearpipe::pipeline {
 
+namespace {
+
+// What misses_tile() says of a primitive that is covered by centres, for one tile after another:
+// the greatest values that its edges have in a tile, from those of the tile before by an addition.
+class EdgeWalk {
+ public:
+  EdgeWalk(const PrimitiveRecord& primitive, int tile_x, int tile_y)
+      : count_(primitive.edge_count) {
+    for (int i = 0; i < count_; ++i) {
+      const Edge& edge = primitive.edges[i];
+      row_[i] = edge.at(kCentrePlace.x, kCentrePlace.y) + int64_t{edge.a} * tile_x +
+                int64_t{edge.b} * tile_y + int64_t{std::max(edge.a, 0)} * (kTileWidth - 1) +
+                int64_t{std::max(edge.b, 0)} * (kTileHeight - 1);
+      most_[i] = row_[i];
+      right_[i] = int64_t{edge.a} * kTileWidth;
+      up_[i] = int64_t{edge.b} * kTileHeight;
+    }
+  }
+
+  bool misses() const {
+    int64_t any = 0;
+    for (int i = 0; i < count_; ++i) any |= most_[i];
+    return any < 0;
+  }
+  void next_column() {
+    for (int i = 0; i < count_; ++i) most_[i] += right_[i];
+  }
+  // The first column of the next row.
+  void next_row() {
+    for (int i = 0; i < count_; ++i) most_[i] = row_[i] += up_[i];
+  }
+
+ private:
+  int count_;
+  int64_t most_[4], row_[4], right_[4], up_[4];
+};
+
+}  // namespace
+
 TileGrid make_tile_grid(int width, int height) {
   return {(width + kTileWidth - 1) / kTileWidth, (height + kTileHeight - 1) / kTileHeight};
 }
@@ -27,13 +66,20 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
   const int first_row = primitive.y0 / kTileHeight;
   const int last_row = (primitive.y1 - 1) / kTileHeight;
   // A box of one tile row or column rarely misses a tile; larger boxes are worth the test.
-  const bool test = last_column - first_column > 0 && last_row - first_row > 0;
-  for (int row = first_row; row <= last_row; ++row) {
-    for (int column = first_column; column <= last_column; ++column) {
-      if (test && misses_tile(primitive, column * kTileWidth, row * kTileHeight)) {
-        continue;
+  if (last_column == first_column || last_row == first_row || primitive.multisample) {
+    const bool test = last_column > first_column && last_row > first_row;
+    for (int row = first_row; row <= last_row; ++row) {
+      for (int column = first_column; column <= last_column; ++column) {
+        if (test && misses_tile(primitive, column * kTileWidth, row * kTileHeight)) continue;
+        note(column, row, index);
       }
-      note(column, row, index);
+    }
+    return;
+  }
+  EdgeWalk walk(primitive, first_column * kTileWidth, first_row * kTileHeight);
+  for (int row = first_row; row <= last_row; ++row, walk.next_row()) {
+    for (int column = first_column; column <= last_column; ++column, walk.next_column()) {
+      if (!walk.misses()) note(column, row, index);
     }
   }
 }

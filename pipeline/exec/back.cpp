@@ -13,6 +13,7 @@
 #include "pipeline/fragment/usage.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
+#include "pipeline/raster/squares.h"
 
 namespace clearpipe::pipeline {
 
@@ -75,11 +76,37 @@ bool hides_all(const ClearCommand& clear, const Target& target, const Tile& tile
          (!target.depth_stencil || depth_stencil_clear_mask(clear) == 0xffffffffu);
 }
 
-// A primitive that is not small: its coverage, its planes, its pixels.
-void shade_primitive(const std::vector<DrawRecord>& draws, const PrimitiveRecord& primitive,
-                     const Target& target, TilePlanes& planes, TileDepth& depth,
-                     SampleTiles& tiles) {
-  const DrawState& draw = *draws[primitive.draw].state;
+// Whether nothing of a primitive passes the depth test anywhere in the tile.
+bool is_hidden(const DrawState& draw, const PrimitiveRecord& primitive, const Tile& tile,
+               const TileDepth& depth) {
+  const DepthRule& rule = draw.outputs.depth;
+  if (!depth.may_hide(rule)) return false;
+  PrimitivePlanes planes;
+  make_depth_plane(draw.setup, primitive, planes);
+  return depth.hides(
+      rule.func, depth_range(planes.depth, planes.x_ref, planes.y_ref, primitive, tile, rule.one));
+}
+
+// A primitive that is not small, but narrow: its pixels are shaded with those of small ones.
+void shade_narrow(const DrawState& draw, const PrimitiveRecord& primitive, TilePlanes& planes,
+                  TileDepth& depth, BackWorker& worker) {
+  Tile& tile = worker.tiles.tiles[0];
+  if (is_hidden(draw, primitive, tile, depth)) return;
+  CoveredSquares squares;
+  if (!cover_squares(primitive, tile.x, tile.y, squares)) return;
+  if (counts_usage()) {
+    int pixels = 0;
+    for (int i = 0; i < squares.count; ++i) pixels += std::popcount(squares.square[i].mask);
+    count_pixels(*draw.program, UsageForm::kSmall, pixels);
+  }
+  planes.prepare(draw.outputs, false);
+  worker.small.add(draw, primitive, squares, tile);
+  depth.drawn(draw.outputs.depth);
+}
+
+// A primitive that is neither: its coverage, its planes, its pixels.
+void shade_primitive(const DrawState& draw, const PrimitiveRecord& primitive, const Target& target,
+                     TilePlanes& planes, TileDepth& depth, SampleTiles& tiles) {
   const Tile& tile = tiles.tiles[0];
   const int samples = planes.samples();
   const DepthRule& rule = draw.outputs.depth;
@@ -122,15 +149,32 @@ void count_small(const FragmentProgram& program, const Packet& packet,
   count_pixels(program, UsageForm::kSmall, pixels);
 }
 
+// A record may begin anywhere in a cache line.
+void fetch(const PrimitiveRecord& primitive) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
+  for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+  hwy::Prefetch(bytes + sizeof(primitive) - 1);
+}
+
 // The primitives of a packet that touch the tile.
 void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
                   std::span<const uint32_t> entries, const Target& target, TilePlanes& planes,
                   TileDepth& depth, BackWorker& worker) {
+  constexpr size_t kAhead = 3;
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
     if ((index & kSmallEntry) == 0) {
-      worker.small.flush();
-      shade_primitive(draws, packet.primitives[index], target, planes, depth, worker.tiles);
+      if (at + kAhead < entries.size() && (entries[at + kAhead] & kSmallEntry) == 0) {
+        fetch(packet.primitives[entries[at + kAhead]]);
+      }
+      const PrimitiveRecord& primitive = packet.primitives[index];
+      const DrawState& draw = *draws[primitive.draw].state;
+      if (primitive.narrow) {
+        shade_narrow(draw, primitive, planes, depth, worker);
+      } else {
+        worker.small.flush();
+        shade_primitive(draw, primitive, target, planes, depth, worker.tiles);
+      }
       ++at;
     } else {
       const SmallPrimitive& small = packet.small[index & ~kSmallEntry];
@@ -164,8 +208,7 @@ void fetch_ahead(const std::vector<DrawRecord>& draws,
       if ((entry & kSmallEntry) == 0) {
         const PrimitiveRecord& primitive = packet.primitives[entry];
         if (primitives) {
-          const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
-          for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
+          fetch(primitive);
         } else {
           for (const float* vertex : primitive.vertex) hwy::Prefetch(vertex);
         }

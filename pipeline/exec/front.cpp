@@ -283,7 +283,8 @@ class FrontWorker {
     }
   }
 
-  static void add(const PrimitiveRecord& record, Packet& packet) {
+  void add(PrimitiveRecord& record, Packet& packet) const {
+    record.narrow = record.narrow && draws_small_;
     packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
     packet.primitives.push_back(record);
   }

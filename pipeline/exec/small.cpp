@@ -61,10 +61,20 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
   return taken;
 }
 
+void add_squares(std::byte* memory, const SetupState& state, const PrimitiveRecord& primitive,
+                 const CoveredSquares& squares) {
+  SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
+  batch.set_state(state);
+  for (int i = 0; i < squares.count; ++i) {
+    batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
+              squares.square[i]);
+  }
+}
+
 void flush(std::byte* memory) { std::launder(reinterpret_cast<SmallBatch*>(memory))->flush(); }
 
 const SmallKernels* kernels() {
-  static constexpr SmallKernels kKernels = {&begin, &add, &flush};
+  static constexpr SmallKernels kKernels = {&begin, &add, &add_squares, &flush};
   return &kKernels;
 }
 
@@ -96,12 +106,21 @@ size_t SmallShader::add(const std::vector<DrawRecord>& draws, const Packet& pack
                         std::span<const uint32_t> entries, Tile& tile) {
   const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];
   const FragmentProgram* program = draws[packet.ranges[first.range].draw].state->program;
-  if (program_ != program) {
-    flush();
-    program_ = program;
-    exec::resolve().begin(batch_, *program, tile);
-  }
+  begin(*program, tile);
   return exec::resolve().add(batch_, draws, packet, entries, tile);
+}
+
+void SmallShader::add(const DrawState& draw, const PrimitiveRecord& primitive,
+                      const CoveredSquares& squares, Tile& tile) {
+  begin(*draw.program, tile);
+  exec::resolve().add_squares(batch_, draw.setup, primitive, squares);
+}
+
+void SmallShader::begin(const FragmentProgram& program, Tile& tile) {
+  if (program_ == &program) return;
+  flush();
+  program_ = &program;
+  exec::resolve().begin(batch_, program, tile);
 }
 
 void SmallShader::flush() {

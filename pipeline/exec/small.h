@@ -1,5 +1,5 @@
-// Shading of small primitives in the back phase: batches of their fragments, which may go on from
-// one packet of a tile to the next.
+// Shading of small and of narrow primitives in the back phase: batches of their fragments, which
+// may go on from one packet of a tile to the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "pipeline/fragment/program.h"
+#include "pipeline/raster/squares.h"
 #include "pipeline/raster/tile.h"
 
 namespace clearpipe::pipeline {
 
 struct DrawRecord;
+struct DrawState;
 struct Packet;
 
 // Set in the entries of bins that number a small primitive.
@@ -27,11 +29,13 @@ struct SmallKernels {
   void (*begin)(std::byte* memory, const FragmentProgram& program, Tile& tile);
   size_t (*add)(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet& packet,
                 std::span<const uint32_t> entries, Tile& tile);
+  void (*add_squares)(std::byte* memory, const SetupState& state, const PrimitiveRecord& primitive,
+                      const CoveredSquares& squares);
   void (*flush)(std::byte* memory);
 };
 
-// Shades the small primitives of a tile. What has come is shaded at the latest by flush(), which
-// must precede anything else that is done to the tile.
+// Shades the small and the narrow primitives of a tile. What has come is shaded at the latest by
+// flush(), which must precede anything else that is done to the tile.
 class SmallShader {
  public:
   static constexpr size_t kBatchBytes = 32 * 1024;
@@ -40,9 +44,14 @@ class SmallShader {
   // are of small primitives of draws with one program. Returns how many that are.
   size_t add(const std::vector<DrawRecord>& draws, const Packet& packet,
              std::span<const uint32_t> entries, Tile& tile);
+  // Takes a primitive that is not small, of a draw with draws_small(), by its squares in the tile.
+  void add(const DrawState& draw, const PrimitiveRecord& primitive, const CoveredSquares& squares,
+           Tile& tile);
   void flush();
 
  private:
+  void begin(const FragmentProgram& program, Tile& tile);
+
   const FragmentProgram* program_ = nullptr;  // of the batch at hand; null: there is none
   alignas(64) std::byte batch_[kBatchBytes];
 };

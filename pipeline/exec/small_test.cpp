@@ -13,6 +13,7 @@
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/fragment/own_tile.h"
 #include "pipeline/fragment/small.h"
+#include "pipeline/raster/coverage.h"
 
 namespace clearpipe::pipeline {
 namespace {
@@ -180,52 +181,127 @@ bool same(const OwnTile& a, const OwnTile& b) {
                      sizeof(a.memory.depth_stencil)) == 0;
 }
 
+// A draw of a random state.
+struct RandomDraw {
+  FragmentState fragment;
+  Program program;
+  DrawState state;
+  std::vector<DrawRecord> draws;
+
+  explicit RandomDraw(Random& random)
+      : fragment(random_fragment_state(random)), program(fragment), draws(1) {
+    state.program = program.get();
+    SetupState& setup = state.setup;
+    setup.inputs = fragment_inputs(*state.program);
+    setup.mirror_height = 400;
+    VertexState vertex;
+    vertex.texture_units = setup.inputs.texture_units;
+    vertex.lighting = vertex.two_sided = random.coin();
+    setup.layout = make_vertex_layout(vertex);
+    setup.two_sided = vertex.two_sided;
+    setup.raster.flat_shade = random.below(5) == 0;
+    setup.raster.offset_fill = random.below(5) == 0;
+    setup.raster.offset_factor = 0.5f;
+    draws[0].state = &state;
+  }
+};
+
+OwnTile random_tile(Random& random) {
+  OwnTile tile;
+  tile.x = kTileX;
+  tile.y = kTileY;
+  tile.mirror_height = 400;
+  for (uint32_t& pixel : tile.memory.colour) pixel = static_cast<uint32_t>(random.bits());
+  for (uint32_t& value : tile.memory.depth_stencil) value = static_cast<uint32_t>(random.bits());
+  return tile;
+}
+
 TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
   int batched = 0;
   const auto shader = std::make_unique<SmallShader>();
   for (uint32_t seed = 0; seed < 150; ++seed) {
     Random random(seed);
-    const FragmentState state = random_fragment_state(random);
-    const Program program(state);
-    DrawState draw;
-    draw.program = program.get();
-    draw.setup.inputs = fragment_inputs(*draw.program);
-    draw.setup.mirror_height = 400;
-    VertexState vertex;
-    vertex.texture_units = draw.setup.inputs.texture_units;
-    vertex.lighting = vertex.two_sided = random.coin();
-    draw.setup.layout = make_vertex_layout(vertex);
-    draw.setup.two_sided = vertex.two_sided;
-    draw.setup.raster.flat_shade = random.below(5) == 0;
-    draw.setup.raster.offset_fill = random.below(5) == 0;
-    draw.setup.raster.offset_factor = 0.5f;
-    std::vector<DrawRecord> draws(1);
-    draws[0].state = &draw;
-    if (!draws_small(draws[0])) continue;
+    const RandomDraw draw(random);
+    if (!draws_small(draw.draws[0])) continue;
     ++batched;
-    const Mesh mesh = random_mesh(random, draw.setup.layout, random.coin());
-    OwnTile tile;
-    tile.x = kTileX;
-    tile.y = kTileY;
-    tile.mirror_height = 400;
-    for (uint32_t& pixel : tile.memory.colour) pixel = static_cast<uint32_t>(random.bits());
-    for (uint32_t& value : tile.memory.depth_stencil) value = static_cast<uint32_t>(random.bits());
+    const Mesh mesh = random_mesh(random, draw.state.setup.layout, random.coin());
+    OwnTile tile = random_tile(random);
     OwnTile expected = tile;
     const OwnTile before = tile;
     for (const uint32_t entry : mesh.entries) {
-      shade_one(draw, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry], expected);
+      shade_one(draw.state, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry], expected);
     }
     // In two parts, as if they came from two packets.
     const std::span<const uint32_t> entries = mesh.entries;
-    ASSERT_EQ(shader->add(draws, mesh.packet, entries.first(30), tile), 30u);
-    ASSERT_EQ(shader->add(draws, mesh.packet, entries.subspan(30), tile), entries.size() - 30);
+    ASSERT_EQ(shader->add(draw.draws, mesh.packet, entries.first(30), tile), 30u);
+    ASSERT_EQ(shader->add(draw.draws, mesh.packet, entries.subspan(30), tile), entries.size() - 30);
     shader->flush();
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
+    const FragmentState& state = draw.fragment;
     if (state.depth_write && state.depth_test && !state.alpha_test) {
       EXPECT_FALSE(same(tile, before)) << "seed " << seed;
     }
   }
   EXPECT_GT(batched, 100);
+}
+
+// A thin triangle or line through the tile, or a small box: anything but much of a row.
+bool random_narrow(Random& random, const SetupState& state, float* records, PrimitiveRecord& out) {
+  const int stride = state.layout.stride;
+  const float x = kTileX + random.real(-20, kTileWidth + 20);
+  const float y = kTileY + random.real(-20, kTileHeight + 20);
+  const float dx = random.real(-60, 60), dy = random.real(-40, 40);
+  const bool one_colour = random.coin(), one_w = random.coin();
+  for (int k = 0; k < 3; ++k) {
+    float* record = records + k * stride;
+    for (int f = 0; f < stride; ++f) record[f] = random.real(0, 1);
+    record[vertex_record::kWindow] = x + (k == 0 ? 0 : dx) + random.real(-3, 3);
+    record[vertex_record::kWindow + 1] = 400 - (y + (k == 0 ? 0 : dy) + random.real(-3, 3));
+    if (one_w) record[vertex_record::kWindow + 3] = k == 0 ? 0.7f : records[7];
+    if (one_colour) std::copy_n(records + 12, 4, record + 12);
+    record[vertex_record::kOutcode] = 0;
+  }
+  const float* v[3] = {records, records + stride, records + 2 * stride};
+  return random.coin() ? setup_line(state, v[0], v[1], out)
+                       : setup_triangle(state, v[0], v[1], v[2], out);
+}
+
+// Narrow primitives among small ones, as back.cpp adds them, against each by itself.
+TEST(Small, NarrowPrimitivesGiveTheBitsOfSingleOnes) {
+  const auto shader = std::make_unique<SmallShader>();
+  int narrow = 0;
+  for (uint32_t seed = 1000; seed < 1120; ++seed) {
+    Random random(seed);
+    RandomDraw random_draw(random);
+    DrawState& draw = random_draw.state;
+    if (!draws_small(random_draw.draws[0])) continue;
+    draw.setup.bounds = {0, 0, kTileX + kTileWidth - random.below(9), kTileY + kTileHeight};
+    draw.setup.raster.line_width = static_cast<float>(1 + random.below(6));
+    const Mesh mesh = random_mesh(random, draw.setup.layout, random.coin());
+    OwnTile tile = random_tile(random), expected = tile;
+    std::vector<std::vector<float>> records;  // a batch may read them until it is shaded
+    for (const uint32_t entry : mesh.entries) {
+      shade_one(draw, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry], expected);
+      ASSERT_EQ(shader->add(random_draw.draws, mesh.packet, {&entry, 1}, tile), 1u);
+      PrimitiveRecord primitive;
+      records.emplace_back(size_t{3} * draw.setup.layout.stride);
+      Coverage coverage;
+      CoveredSquares squares;
+      if (!random_narrow(random, draw.setup, records.back().data(), primitive) ||
+          !cover_tile(primitive, tile.x, tile.y, coverage)) {
+        continue;
+      }
+      ASSERT_TRUE(cover_squares(primitive, tile.x, tile.y, squares));
+      PrimitivePlanes planes;
+      make_planes(draw.setup, primitive, planes);
+      shade(*draw.program, planes, coverage, expected);
+      shader->add(draw, primitive, squares, tile);
+      ++narrow;
+    }
+    shader->flush();
+    ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
+  }
+  EXPECT_GT(narrow, 5000);
 }
 
 // What is taken at once ends where a primitive is not small, or of a draw with another program.

@@ -59,6 +59,24 @@ bool TileDepth::hides(CompareFunc func, const DepthRange& fragments) const {
   }
 }
 
+bool TileDepth::may_hide(const DepthRule& rule) const {
+  if (!rule.test || !rule.traceless) return false;
+  switch (rule.func) {
+    case CompareFunc::kLess:
+    case CompareFunc::kLessEqual:
+      return stored_.most < static_cast<uint32_t>(rule.one);
+    case CompareFunc::kGreater:
+    case CompareFunc::kGreaterEqual:
+      return stored_.least > 0;
+    case CompareFunc::kNever:
+      return true;
+    case CompareFunc::kEqual:
+      return stored_.least > 0 || stored_.most < static_cast<uint32_t>(rule.one);
+    default:
+      return false;
+  }
+}
+
 void TileDepth::drawn(const DepthRule& rule) { drawn(rule, {}, false); }
 
 void TileDepth::drawn(const DepthRule& rule, const DepthRange& fragments, bool whole_tile) {

@@ -35,6 +35,10 @@ class TileDepth {
   // Whether no fragment of this range passes the test, wherever it is.
   bool hides(CompareFunc func, const DepthRange& fragments) const;
 
+  // Whether the bounds are such that a primitive of some range may be hidden; one that lies at the
+  // very end of the buffer's range aside.
+  bool may_hide(const DepthRule& rule) const;
+
   // Primitives of unknown depth are drawn with the rule.
   void drawn(const DepthRule& rule);
   // One of the range is drawn; it covers the whole tile, or only some of it.

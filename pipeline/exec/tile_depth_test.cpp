@@ -128,5 +128,25 @@ TEST(TileDepth, HidesWhatLiesBehind) {
   EXPECT_FALSE(depth.hides(CompareFunc::kLess, {300, 400}));
 }
 
+// may_hide() is asked first: whatever hides() says yes to, it must.
+TEST(TileDepth, MayHideWhereverSomethingIsHidden) {
+  std::mt19937 random(3);
+  std::vector<uint32_t> memory(kTilePixels);
+  for (int round = 0; round < 4000; ++round) {
+    constexpr uint32_t kSome[] = {0, 1, 500, 0xfffffe, 0xffffff};
+    UniformTiles uniform{{1}, {kSome[random() % 5] << 8}};
+    TileDepth depth(TilePlane(memory.data(), uniform, 0));
+    if (random() % 2 == 0) depth.cleared(kSome[random() % 5], false);
+    DepthRule rule;
+    rule.test = rule.traceless = true;
+    rule.func = static_cast<CompareFunc>(random() % 8);
+    DepthRange range{kSome[random() % 5], kSome[random() % 5]};
+    if (range.least > range.most) std::swap(range.least, range.most);
+    // A primitive at the far or the near end, which nothing is behind of, is drawn for nothing.
+    if (range.least == 0xffffff || range.most == 0) continue;
+    EXPECT_TRUE(depth.may_hide(rule) || !depth.hides(rule.func, range)) << round;
+  }
+}
+
 }  // namespace
 }  // namespace clearpipe::pipeline

@@ -8,7 +8,8 @@
 // chain, so the bits are, too.
 //
 // A pixel may stand in the batch only once: a primitive that covers one again has to wait for what
-// came before it, so the batch is shaded first.
+// came before it, so the batch is shaded first. Where the last fragment replaces all before it,
+// only a group may have no pixel twice.
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_SMALL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_SMALL_INL_H_
@@ -17,7 +18,6 @@
 #define CLEARPIPE_FRAGMENT_SMALL_INL_H_
 #endif
 
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -25,9 +25,8 @@
 #include <cstring>
 
 #include "pipeline/fragment/small.h"
+#include "pipeline/fragment/small_group-inl.h"
 #include "pipeline/fragment/stages-inl.h"
-#include "pipeline/setup/lane_planes-inl.h"
-#include "pipeline/setup/small.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -40,7 +39,8 @@ class SmallBatch {
         tile_(tile),
         depth_state_(depth_state(program)),
         replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
-                  !program.has_logic_op) {
+                  !program.has_logic_op),
+        in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)) {
     batch_.count = 0;
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program.inputs.texture_units >> unit & 1) == 0) continue;
@@ -58,39 +58,33 @@ class SmallBatch {
   HWY_INLINE void add(PrimitiveKind kind, bool back_facing, float size, const float* const* vertex,
                       const SmallCoverage& coverage) {
     const int count = std::popcount(coverage.mask);
-    if (batch_.count + listed_ + count > kRoom) flush();
-    if (!note(coverage)) {
-      flush();
-      note(coverage);
-    }
-    if (group_.count == kLanes || kind != kind_) {
+    if (batch_.count + group_.pixels() + count > kRoom) {
       end_group();
-      kind_ = kind;
+      if (batch_.count + count > kRoom) flush();
     }
-    const int lane = group_.count++;
-    for (int k = 0; k <= static_cast<int>(kind); ++k) {
-      hwy::Prefetch(vertex[k] + vertex_record::kWindow);
-      group_.vertex[k][lane] = vertex[k];
+    if (!group_.takes(kind)) end_group();
+    if (!pending_.note(coverage)) {
+      if (in_order_) {
+        end_group();
+      } else {
+        flush();
+      }
+      pending_.note(coverage);
     }
-    group_.colour_offset[lane] = back_facing && state_->two_sided
-                                     ? state_->layout.back_colour_offset
-                                     : vertex_record::kColour;
-    group_.size[lane] = size;
-    place_[lane] = coverage.row * kTileWidth + coverage.column;
-    list_pixels(coverage.mask, count, lane);
-    listed_ += count;
+    const int colour_offset = back_facing && state_->two_sided ? state_->layout.back_colour_offset
+                                                               : vertex_record::kColour;
+    group_.add(kind, colour_offset, size, vertex, coverage, count);
   }
 
   // Shades what was added.
   void flush() {
     end_group();
-    if (batch_.count == 0) return;
-    pad();
-    bool any = true;
-    if (program_.early_depth) any = test();
-    if (any && program_.step_count != 0) shade();
+    if (batch_.count != 0 && program_.step_count != 0) {
+      pad();
+      shade();
+    }
     batch_.count = 0;
-    std::fill_n(pending_, kSquares, uint64_t{0});
+    pending_.forget();
   }
 
  private:
@@ -100,13 +94,8 @@ class SmallBatch {
   using VecI = hn::Vec<TagI>;
   using LanePlane = setup::HWY_NAMESPACE::LanePlane;
   using LanePlanes = setup::HWY_NAMESPACE::LanePlanes;
-  using LanePrimitives = setup::HWY_NAMESPACE::LanePrimitives;
-  static constexpr int kLanes = setup::HWY_NAMESPACE::kPlaneLanes;
+  static constexpr int kLanes = SmallGroup::kLanes;
   static constexpr int kRoom = kBatchSize - kLanes + 1;  // the last vector may be stored whole
-  static constexpr int kListed = 4;                      // pixels that are listed at a time
-  // Squares of a row, with one more at its end, and rows with one more above.
-  static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
-  static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
 
   // Whether primitives of two draws can be in one group. Their programs are the same.
   static bool makes_same_planes(const SetupState& a, const SetupState& b) {
@@ -118,62 +107,107 @@ class SmallBatch {
            !t.offset_fill && s.point_sprite == t.point_sprite && s.coord_replace == t.coord_replace;
   }
 
-  // The planes of a lane's primitive, for the fragments of a vector.
-  class FragmentPlanes {
-   public:
-    HWY_INLINE explicit FragmentPlanes(VecI lane)
-        : float_index_(hn::IndicesFromVec(TagF(), lane)),
-          whole_index_(hn::IndicesFromVec(TagI(), lane)) {}
-    HWY_INLINE VecF operator()(VecF values) const {
-      return hn::TableLookupLanes(values, float_index_);
-    }
-    HWY_INLINE VecI operator()(VecI values) const {
-      return hn::TableLookupLanes(values, whole_index_);
-    }
-    HWY_INLINE LanePlane operator()(const LanePlane& plane) const {
-      return {(*this)(plane.value), (*this)(plane.dx), (*this)(plane.dy)};
-    }
-
-   private:
-    decltype(hn::IndicesFromVec(TagF(), VecI())) float_index_;
-    decltype(hn::IndicesFromVec(TagI(), VecI())) whole_index_;
+  // Where a vector of fragments is: columns and rows of the tile, and relative to the reference of
+  // their primitives, from whole numbers, as the chain has it.
+  struct Places {
+    VecI column, row;
+    VecF x, y;
   };
-
-  // Evaluates what depends on the primitives of the group: depth, colour, coordinates.
-  void end_group() {
-    if (group_.count == 0) return;
-    group_.pad();
-    LanePlanes planes;
-    setup::HWY_NAMESPACE::make_lane_planes(*state_, kind_, group_, planes);
+  HWY_INLINE Places places_of(VecI offset, VecF to_x, VecF to_y) const {
     const TagF d;
     const TagI di;
-    const hn::Rebind<uint8_t, TagI> d8;
-    static_assert(kTileWidth == 1 << 6 && kSmallSide == 1 << 3);
-    const VecI places = hn::Load(di, place_);
+    static_assert(kTileWidth == 1 << 6);
+    const VecI column = hn::And(offset, hn::Set(di, kTileWidth - 1));
+    const VecI row = hn::ShiftRight<6>(offset);
+    return {column, row, hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))), to_x),
+            hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))), to_y)};
+  }
+
+  // The group's fragments become the batch's: what depends on their primitives is evaluated. Where
+  // depth is tested before anything else, only those that pass do.
+  void end_group() {
+    if (group_.is_empty()) return;
+    LanePlanes planes;
+    group_.make_planes(*state_, planes);
+    compare_planes(planes);
+    const TagF d;
+    const TagI di;
     const VecF half = hn::Set(d, 0.5f);
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
-    for (int i = 0; i < listed_; i += kLanes) {
-      const FragmentPlanes of(hn::PromoteTo(di, hn::LoadU(d8, lane_ + i)));
-      const VecI pixel = hn::PromoteTo(di, hn::LoadU(d8, pixel_ + i));
-      const VecI in_row = hn::And(pixel, hn::Set(di, kSmallSide - 1));
-      const VecI offset =
-          hn::Add(of(places), hn::Add(hn::ShiftLeft<3>(hn::Sub(pixel, in_row)), in_row));
-      const VecI column = hn::And(offset, hn::Set(di, kTileWidth - 1));
-      const VecI row = hn::ShiftRight<6>(offset);
+    const int count = program_.early_depth ? list_nearer(planes, to_x, to_y) : list_all();
+    for (int i = 0; i < count; i += kLanes) {
       const int at = batch_.count + i;
-      hn::StoreU(offset, di, offset_ + at);
-      // From whole numbers, as the chain has it.
-      const VecF x = hn::Add(hn::ConvertTo(d, hn::Add(column, hn::Set(di, tile_.x))), of(to_x));
-      const VecF y = hn::Add(hn::ConvertTo(d, hn::Add(row, hn::Set(di, tile_.y))), of(to_y));
-      evaluate_varyings(planes, of, x, y, at);
+      const FragmentPlanes of(hn::Load(di, lane_of_ + i));
+      const Places p = places_of(hn::LoadU(di, offset_ + at), of(to_x), of(to_y));
+      evaluate_varyings(planes, of, p.x, p.y, at);
       if (needs_lod_) {
-        const VecI left = hn::AndNot(hn::Set(di, 1), hn::Add(column, hn::Set(di, tile_.x)));
+        const VecI left = hn::AndNot(hn::Set(di, 1), hn::Add(p.column, hn::Set(di, tile_.x)));
         add_level_of_detail(planes, of, hn::Add(hn::ConvertTo(d, left), of(to_x)),
-                            hn::Add(hn::ConvertTo(d, quad_rows(row)), of(to_y)), at);
+                            hn::Add(hn::ConvertTo(d, quad_rows(p.row)), of(to_y)), at);
       }
     }
-    batch_.count += listed_;
-    group_.count = listed_ = 0;
+    batch_.count += count;
+    group_.clear();
+    if (in_order_) pending_.forget();
+  }
+
+  // Coordinates without a q of their own are divided by what colours are.
+  HWY_INLINE void compare_planes(const LanePlanes& planes) {
+    const TagF d;
+    const LanePlane one = {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d)};
+    const LanePlane& inv_w = planes.perspective ? planes.inv_w : one;
+    for (int unit = 0; unit < kSmallUnits; ++unit) {
+      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
+      const LanePlane& q = planes.texture[unit][3];
+      const auto differ = [](VecF a, VecF b) HWY_ATTR {
+        return hn::Xor(hn::BitCast(TagI(), a), hn::BitCast(TagI(), b));
+      };
+      const VecI any = hn::Or(differ(q.value, inv_w.value),
+                              hn::Or(differ(q.dx, inv_w.dx), differ(q.dy, inv_w.dy)));
+      q_is_inv_w_[unit] = hn::AllTrue(TagI(), hn::Eq(any, hn::Zero(TagI())));
+    }
+  }
+
+  // The places and lanes of all that is listed; returns how many.
+  HWY_INLINE int list_all() {
+    const TagI d;
+    const int count = group_.pixels();
+    for (int i = 0; i < count; i += kLanes) {
+      const VecI lane = group_.lanes(i);
+      hn::Store(lane, d, lane_of_ + i);
+      hn::StoreU(group_.offsets(FragmentPlanes(lane), i), d, offset_ + batch_.count + i);
+    }
+    return count;
+  }
+
+  // The same of what passes the depth test, which is done at once: a group has a pixel once.
+  HWY_INLINE int list_nearer(const LanePlanes& planes, VecF to_x, VecF to_y) {
+    const TagF d;
+    const TagI di;
+    const auto* stored = reinterpret_cast<const int32_t*>(tile_.depth_stencil);
+    int32_t* const kept = offset_ + batch_.count;
+    int count = 0;
+    for (int i = 0; i < group_.pixels(); i += kLanes) {
+      const auto listed = hn::FirstN(di, static_cast<size_t>(group_.pixels() - i));
+      const VecI lane = group_.lanes(i);
+      const FragmentPlanes of(lane);
+      const VecI offset = hn::IfThenElseZero(listed, group_.offsets(of, i));
+      const Places p = places_of(offset, of(to_x), of(to_y));
+      const VecF z = evaluate(d, of(planes.depth), p.x, p.y);
+      VecI packed = hn::GatherIndex(di, stored, offset);
+      const auto passes = depth_stencil_test(di, StencilState(), depth_state_, listed,
+                                             to_depth_value(d, depth_state_, z), packed);
+      hn::StoreU(hn::Compress(offset, passes), di, kept + count);
+      hn::StoreU(hn::Compress(lane, passes), di, lane_of_ + count);
+      hn::StoreU(hn::Compress(packed, passes), di, depth_of_ + count);
+      count += static_cast<int>(hn::CountTrue(di, passes));
+    }
+    if (depth_state_.write) {
+      for (int i = 0; i < count; ++i) {
+        tile_.depth_stencil[kept[i]] = static_cast<uint32_t>(depth_of_[i]);
+      }
+    }
+    return count;
   }
 
   // quad_row() of rows of the tile.
@@ -185,53 +219,13 @@ class SmallBatch {
     return hn::Sub(last, hn::AndNot(one, hn::Sub(last, y)));
   }
 
-  // Notes the pixels of a primitive; false, and nothing is noted, when one is in the batch already.
-  // pending_ has the tile in squares of 8x8 as masks have them; the mask lies across four of them.
-  HWY_INLINE bool note(const SmallCoverage& coverage) {
-    constexpr uint64_t kEachRow = 0x0101010101010101u;
-    const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
-    const uint64_t mask = coverage.mask;
-    const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
-    const uint64_t left = mask << dx & ~right_columns;
-    const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
-    uint64_t* square =
-        pending_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
-    // Rows that move on to the next square: all 64 bits when dy is 0, so in two steps.
-    const auto above = [dy](uint64_t m) { return m >> (56 - kSmallSide * dy) >> kSmallSide; };
-    const uint64_t parts[4] = {left << kSmallSide * dy, right << kSmallSide * dy, above(left),
-                               above(right)};
-    uint64_t* const place[4] = {square, square + 1, square + kSquareStride,
-                                square + kSquareStride + 1};
-    uint64_t common = 0;
-    for (int i = 0; i < 4; ++i) common |= *place[i] & parts[i];
-    if (common != 0) return false;
-    for (int i = 0; i < 4; ++i) *place[i] |= parts[i];
-    return true;
-  }
-
-  // Lists the set bits of the mask of the primitive in a lane, four at a time: most masks have no
-  // more, and none of what it takes to list a few of them depends on their number.
-  HWY_INLINE void list_pixels(uint64_t mask, int count, int lane) {
-    static_assert(kListed == 4);
-    const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
-    for (int i = listed_; i < listed_ + count; i += kListed) {
-      for (int j = 0; j < kListed; ++j) {
-        // With the last bit there is no case of a mask without any, nor a branch for it.
-        pixel_[i + j] =
-            static_cast<uint8_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(mask | uint64_t{1} << 63));
-        mask &= mask - 1;
-      }
-      std::memcpy(lane_ + i, &lanes, sizeof(lanes));
-    }
-  }
-
   HWY_INLINE void evaluate_varyings(const LanePlanes& planes, const FragmentPlanes& of, VecF x,
                                     VecF y, int at) {
     const TagF d;
     const FragmentInputs& inputs = program_.inputs;
     const auto value = [&](const LanePlane& plane)
                            HWY_ATTR { return evaluate(d, of(plane), x, y); };
-    if (inputs.depth) hn::StoreU(value(planes.depth), d, depth_ + at);
+    if (inputs.depth && !program_.early_depth) hn::StoreU(value(planes.depth), d, depth_ + at);
     if (!inputs.colour) return;
     const VecF one = hn::Set(d, 1.0f);
     VecF w = one;
@@ -252,7 +246,7 @@ class SmallBatch {
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((inputs.texture_units >> unit & 1) == 0) continue;
       const auto& texture = planes.texture[unit];
-      const VecF q = hn::Div(one, value(texture[3]));
+      const VecF q = q_is_inv_w_[unit] ? w : hn::Div(one, value(texture[3]));
       hn::StoreU(hn::Mul(value(texture[0]), q), d, coordinates_[unit].s + at);
       hn::StoreU(hn::Mul(value(texture[1]), q), d, coordinates_[unit].t + at);
     }
@@ -261,6 +255,10 @@ class SmallBatch {
   // Of fragments whose quads have their corners at (x, y).
   void add_level_of_detail(const LanePlanes& planes, const FragmentPlanes& of, VecF x, VecF y,
                            int at) {
+    const TagF d;
+    const VecF one = hn::Set(d, 1.0f);
+    QuadReciprocals<VecF> w{one, one, one};
+    if (planes.perspective) w = quad_reciprocals(d, of(planes.inv_w), tile_, x, y);
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
       const SampleState& sample = program_.unit[unit].sample;
@@ -268,9 +266,11 @@ class SmallBatch {
       const auto& texture = planes.texture[unit];
       const LanePlane own[4] = {of(texture[0]), of(texture[1]), {}, of(texture[3])};
       UnitCoordinates& to = coordinates_[unit];
-      store_level_of_detail(
-          TagF(), quad_footprint(TagF(), own, sample.levels[sample.first_level], tile_, x, y),
-          sample, {to.lod, to.probes, to.along_s, to.along_t}, at);
+      const SampleLevel& level = sample.levels[sample.first_level];
+      const Footprint<VecF> footprint = q_is_inv_w_[unit]
+                                            ? quad_footprint(d, own, level, tile_, x, y, w)
+                                            : quad_footprint(d, own, level, tile_, x, y);
+      store_level_of_detail(d, footprint, sample, {to.lod, to.probes, to.along_s, to.along_t}, at);
     }
   }
 
@@ -429,17 +429,17 @@ class SmallBatch {
   Tile& tile_;
   const NarrowDepthState depth_state_;
   const bool replaces_;  // what lives replaces the whole pixel
+  // And the last that has passed all tests stays: a pixel may be in the batch more than once, but
+  // not in a group.
+  const bool in_order_;
   bool needs_lod_ = false;
+  bool q_is_inv_w_[kSmallUnits] = {};  // of the group, whose w is 1 without perspective
   int padded_ = 0;
-  // The group: its primitives, where their masks lie in the tile, and their pixels: bits of the
-  // masks, and in which lane the primitive is. A few more are written behind the last.
   const SetupState* state_ = nullptr;
-  PrimitiveKind kind_ = PrimitiveKind::kTriangle;
-  LanePrimitives group_;
-  alignas(64) int32_t place_[kLanes] = {};
-  int listed_ = 0;
-  alignas(64) uint8_t pixel_[kBatchSize + kListed] = {}, lane_[kBatchSize + kListed] = {};
-  uint64_t pending_[kSquares] = {};         // the pixels in the batch or the group
+  SmallGroup group_;
+  PendingPixels pending_;  // those of the batch and the group
+  // Of the fragments that a group leaves: their lanes, and what the depth test makes of the tile.
+  alignas(64) int32_t lane_of_[kBatchSize + kLanes], depth_of_[kBatchSize + kLanes];
   alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes
   alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
   UnitCoordinates coordinates_[kSmallUnits];

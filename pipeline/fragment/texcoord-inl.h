@@ -95,21 +95,47 @@ struct Footprint {
   V along_x, along_y;
 };
 
+// 1 / q at the pixels of a quad that derivatives need: its corner and the neighbours along x and y.
+template <class V>
+struct QuadReciprocals {
+  V corner, along_x, along_y;
+};
+
+inline float next_quad_row(const Tile& tile) { return tile.mirror_height == 0 ? 1.0f : -1.0f; }
+
 // Of the quads whose corners have their centres at (x, y).
 template <class D, class P, class V = hn::Vec<D>>
+HWY_INLINE QuadReciprocals<V> quad_reciprocals(D d, const P& q, const Tile& tile, V x, V y) {
+  const V one = hn::Set(d, 1.0f);
+  const V next_row = hn::Set(d, next_quad_row(tile));
+  return {hn::Div(one, evaluate(d, q, x, y)), hn::Div(one, evaluate(d, q, hn::Add(x, one), y)),
+          hn::Div(one, evaluate(d, q, x, hn::Add(y, next_row)))};
+}
+
+template <class D, class P, class V = hn::Vec<D>>
 HWY_INLINE Footprint<V> quad_footprint(D d, const P* planes, const SampleLevel& level,
-                                       const Tile& tile, V x, V y) {
+                                       const Tile& tile, V x, V y,
+                                       const QuadReciprocals<V>& reciprocals) {
   const V width = hn::Set(d, static_cast<float>(level.width));
   const V height = hn::Set(d, static_cast<float>(level.height));
-  const V next_row = hn::Set(d, tile.mirror_height == 0 ? 1.0f : -1.0f);
-  V s0, t0, s1, t1, s2, t2;
-  coordinate_at(d, planes, x, y, s0, t0);
-  coordinate_at(d, planes, hn::Add(x, hn::Set(d, 1.0f)), y, s1, t1);
-  coordinate_at(d, planes, x, hn::Add(y, next_row), s2, t2);
+  const V right = hn::Add(x, hn::Set(d, 1.0f)), up = hn::Add(y, hn::Set(d, next_quad_row(tile)));
+  const QuadReciprocals<V>& r = reciprocals;
+  const V s0 = hn::Mul(evaluate(d, planes[0], x, y), r.corner);
+  const V t0 = hn::Mul(evaluate(d, planes[1], x, y), r.corner);
+  const V s1 = hn::Mul(evaluate(d, planes[0], right, y), r.along_x);
+  const V t1 = hn::Mul(evaluate(d, planes[1], right, y), r.along_x);
+  const V s2 = hn::Mul(evaluate(d, planes[0], x, up), r.along_y);
+  const V t2 = hn::Mul(evaluate(d, planes[1], x, up), r.along_y);
   Footprint<V> f{hn::Sub(s1, s0), hn::Sub(t1, t0), hn::Sub(s2, s0), hn::Sub(t2, t0), {}, {}};
   f.along_x = length_squared(hn::Mul(f.s_x, width), hn::Mul(f.t_x, height));
   f.along_y = length_squared(hn::Mul(f.s_y, width), hn::Mul(f.t_y, height));
   return f;
+}
+
+template <class D, class P, class V = hn::Vec<D>>
+HWY_INLINE Footprint<V> quad_footprint(D d, const P* planes, const SampleLevel& level,
+                                       const Tile& tile, V x, V y) {
+  return quad_footprint(d, planes, level, tile, x, y, quad_reciprocals(d, planes[3], tile, x, y));
 }
 
 // Without anisotropic filtering.

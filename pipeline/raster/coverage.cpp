@@ -10,6 +10,7 @@
 #include <cstring>
 #include <iterator>
 
+#include "pipeline/raster/tile_part.h"
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -97,18 +98,6 @@ static CoverRowsFunction cover_rows() {
     return static_cast<CoverRowsFunction>(HWY_DYNAMIC_DISPATCH(CoverAllRows));
   }();
   return function;
-}
-
-// The part of a tile, in its columns and rows, that the box of a primitive takes; half-open.
-struct TilePart {
-  int x0, y0, x1, y1;
-  bool empty() const { return x0 >= x1 || y0 >= y1; }
-};
-
-static TilePart part_of_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
-  return {std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
-          std::min(primitive.x1 - tile_x, kTileWidth),
-          std::min(primitive.y1 - tile_y, kTileHeight)};
 }
 
 static uint64_t columns_mask(int first, int end) {

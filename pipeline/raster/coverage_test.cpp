@@ -1,5 +1,6 @@
 // Coverage against exact arithmetic: every pixel of random polygons, and the partition of the plane
-// by triangles that share edges (3.5.1). Runs on the SIMD target that CLEARPIPE_SIMD selects.
+// by triangles that share edges (3.5.1); as rows and as squares. Runs on the SIMD target that
+// CLEARPIPE_SIMD selects.
 // SPDX-License-Identifier: MIT
 #include "pipeline/raster/coverage.h"
 
@@ -9,6 +10,9 @@
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "pipeline/bin/bins.h"
+#include "pipeline/raster/squares.h"
 
 namespace clearpipe::pipeline {
 namespace {
@@ -21,13 +25,35 @@ SetupState test_state() {
   return state;
 }
 
+// Squares have the pixels that rows have, and none is empty.
+void expect_same_squares(const PrimitiveRecord& primitive, int tx, int ty, const Coverage& rows) {
+  CoveredSquares squares;
+  if (!cover_squares(primitive, tx, ty, squares)) squares.count = 0;
+  uint64_t covered[kTileHeight] = {};
+  for (int i = 0; i < squares.count; ++i) {
+    const SmallCoverage& square = squares.square[i];
+    EXPECT_NE(square.mask, 0u);
+    for (int j = 0; j < kSmallSide; ++j) {
+      covered[square.row + j] |= (square.mask >> (kSmallSide * j) & 0xff) << square.column;
+    }
+  }
+  for (int row = 0; row < kTileHeight; ++row) {
+    const bool used = row >= rows.first_row && row < rows.last_row;
+    ASSERT_EQ(covered[row], used ? rows.rows[row] : 0) << "tile " << tx << "," << ty;
+  }
+}
+
 std::vector<int> count_hits(const std::vector<PrimitiveRecord>& primitives) {
   std::vector<int> hits(kSize * kSize);
   for (const PrimitiveRecord& primitive : primitives) {
     for (int ty = 0; ty < kSize; ty += kTileHeight) {
       for (int tx = 0; tx < kSize; tx += kTileWidth) {
         Coverage coverage;
-        if (!cover_tile(primitive, tx, ty, coverage)) continue;
+        const bool covers = cover_tile(primitive, tx, ty, coverage);
+        if (!primitive.is_circle) {
+          expect_same_squares(primitive, tx, ty, covers ? coverage : Coverage());
+        }
+        if (!covers) continue;
         for (int row = coverage.first_row; row < coverage.last_row; ++row) {
           for (int x = 0; x < kTileWidth; ++x) {
             hits[(ty + row) * kSize + tx + x] += coverage.rows[row] >> x & 1;
@@ -227,6 +253,40 @@ TEST(Coverage, SharedEdgesHaveNoGapAndNoDoubleHit) {
       }
     }
     for (const int hits : count_hits(primitives)) ASSERT_EQ(hits, 1) << "round " << round;
+  }
+}
+
+// Bins walk from tile to tile; each tile by itself says the same.
+TEST(Coverage, BinsNameTheTilesThatAreNotMissed) {
+  std::mt19937 random(8);
+  const SetupState state = test_state();
+  const TileGrid grid = make_tile_grid(kSize, kSize);
+  for (int round = 0; round < 2000; ++round) {
+    const int range = round % 2 == 0 ? kSize * 256 : 6000000;
+    std::uniform_int_distribution<int> coordinate(-range / 4, range);
+    SnappedPoint corners[3];
+    for (SnappedPoint& corner : corners) corner = {coordinate(random), coordinate(random)};
+    if (round % 3 == 0) corners[2] = {corners[1].x + 200, corners[1].y - 100};
+    PrimitiveRecord p;
+    if (!set_polygon(state, corners, 3, p)) continue;
+    BinScratch scratch;
+    Bins bins;
+    bins.reset(grid, scratch);
+    bins.add(p, 0);
+    bins.close();
+    std::vector<int> named(static_cast<size_t>(grid.count()));
+    for (const Bins::List& list : bins.lists()) named[list.tile] = static_cast<int>(list.count);
+    for (int row = p.y0 / kTileHeight; row <= (p.y1 - 1) / kTileHeight; ++row) {
+      for (int column = p.x0 / kTileWidth; column <= (p.x1 - 1) / kTileWidth; ++column) {
+        int& tile = named[static_cast<size_t>(row * grid.columns + column)];
+        const bool missed = misses_tile(p, column * kTileWidth, row * kTileHeight);
+        const bool tested = p.x0 / kTileWidth != (p.x1 - 1) / kTileWidth &&
+                            p.y0 / kTileHeight != (p.y1 - 1) / kTileHeight;
+        ASSERT_EQ(tile, tested && missed ? 0 : 1) << round << ": " << column << "," << row;
+        tile = 0;
+      }
+    }
+    for (const int count : named) ASSERT_EQ(count, 0) << round;
   }
 }
 

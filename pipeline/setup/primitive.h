@@ -46,6 +46,7 @@ struct PrimitiveRecord {
   uint8_t edge_count = 0;    // 0: the whole box is covered, or the circle in it
   bool is_circle = false;
   bool back_facing = false;
+  bool narrow = false;  // covers few pixels of a row
 };
 
 // The setup of each kind of primitive; false when nothing can be covered. The triangle's third

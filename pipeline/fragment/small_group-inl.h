@@ -1,0 +1,214 @@
+// What waits for a batch of small primitives (small-inl.h): a group of primitives with the list of
+// their pixels, and which pixels are in the batch.
+// SPDX-License-Identifier: MIT
+#if defined(CLEARPIPE_FRAGMENT_SMALL_GROUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CLEARPIPE_FRAGMENT_SMALL_GROUP_INL_H_
+#undef CLEARPIPE_FRAGMENT_SMALL_GROUP_INL_H_
+#else
+#define CLEARPIPE_FRAGMENT_SMALL_GROUP_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+#include "pipeline/fragment/batch.h"
+#include "pipeline/setup/lane_planes-inl.h"
+#include "pipeline/setup/small.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The places of the set bits of a byte, one after another, a byte each.
+inline constexpr std::array<uint64_t, 256> kBitPlaces = [] {
+  std::array<uint64_t, 256> places{};
+  for (int byte = 0; byte < 256; ++byte) {
+    int at = 0;
+    for (int bit = 0; bit < 8; ++bit) {
+      if ((byte >> bit & 1) != 0) places[byte] |= static_cast<uint64_t>(bit) << (8 * at++);
+    }
+  }
+  return places;
+}();
+
+// What each fragment of a vector has of values that differ by the lane of its primitive.
+class FragmentPlanes {
+ public:
+  using TagF = hn::ScalableTag<float>;
+  using TagI = hn::RebindToSigned<TagF>;
+  using LanePlane = setup::HWY_NAMESPACE::LanePlane;
+
+  HWY_INLINE explicit FragmentPlanes(hn::Vec<TagI> lane)
+      : float_index_(hn::IndicesFromVec(TagF(), lane)),
+        whole_index_(hn::IndicesFromVec(TagI(), lane)) {}
+  HWY_INLINE hn::Vec<TagF> operator()(hn::Vec<TagF> values) const {
+    return hn::TableLookupLanes(values, float_index_);
+  }
+  HWY_INLINE hn::Vec<TagI> operator()(hn::Vec<TagI> values) const {
+    return hn::TableLookupLanes(values, whole_index_);
+  }
+  HWY_INLINE LanePlane operator()(const LanePlane& plane) const {
+    return {(*this)(plane.value), (*this)(plane.dx), (*this)(plane.dy)};
+  }
+
+ private:
+  decltype(hn::IndicesFromVec(TagF(), hn::Vec<TagI>())) float_index_;
+  decltype(hn::IndicesFromVec(TagI(), hn::Vec<TagI>())) whole_index_;
+};
+
+// Primitives of one kind, one in each lane, and their pixels: bits of the masks, and in which lane
+// the primitive is.
+class SmallGroup {
+ public:
+  using TagI = hn::ScalableTag<int32_t>;
+  using VecI = hn::Vec<TagI>;
+  static constexpr int kLanes = setup::HWY_NAMESPACE::kPlaneLanes;
+
+  // Whether there is a lane for another primitive, of that kind.
+  bool takes(PrimitiveKind kind) const {
+    return is_empty() || (primitives_.count != kLanes && kind == kind_);
+  }
+
+  // The mask has so many bits.
+  HWY_INLINE void add(PrimitiveKind kind, int colour_offset, float size, const float* const* vertex,
+                      const SmallCoverage& coverage, int count) {
+    kind_ = kind;
+    const int lane = primitives_.count++;
+    for (int k = 0; k <= static_cast<int>(kind); ++k) {
+      hwy::Prefetch(vertex[k] + vertex_record::kWindow);
+      primitives_.vertex[k][lane] = vertex[k];
+    }
+    primitives_.colour_offset[lane] = colour_offset;
+    primitives_.size[lane] = size;
+    place_[lane] = coverage.row * kTileWidth + coverage.column;
+    list_pixels(coverage.mask, count, lane);
+    listed_ += count;
+  }
+
+  void clear() { primitives_.count = listed_ = 0; }
+
+  void make_planes(const SetupState& state, setup::HWY_NAMESPACE::LanePlanes& planes) {
+    primitives_.pad();
+    setup::HWY_NAMESPACE::make_lane_planes(state, kind_, primitives_, planes);
+  }
+
+  bool is_empty() const { return primitives_.count == 0; }
+  int pixels() const { return listed_; }
+
+  // Of a vector of listed pixels: their primitives' lanes, and their indices into a tile's planes.
+  // Behind the last pixel they are anything.
+  HWY_INLINE VecI lanes(int first) const {
+    return hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint8_t, TagI>(), lane_ + first));
+  }
+  HWY_INLINE VecI offsets(const FragmentPlanes& of, int first) const {
+    const TagI d;
+    static_assert(kSmallSide == 1 << 3);
+    const VecI pixel = hn::PromoteTo(d, hn::LoadU(hn::Rebind<uint8_t, TagI>(), pixel_ + first));
+    const VecI in_row = hn::And(pixel, hn::Set(d, kSmallSide - 1));
+    return hn::Add(of(hn::Load(d, place_)),
+                   hn::Add(hn::ShiftLeft<3>(hn::Sub(pixel, in_row)), in_row));
+  }
+
+ private:
+  static constexpr int kListed = 8;  // pixels that are written at a time, at most
+
+  // Lists the set bits of the mask of the primitive in a lane, four at a time: most masks have no
+  // more, and none of what it takes to list a few of them depends on their number.
+  HWY_INLINE void list_pixels(uint64_t mask, int count, int lane) {
+    constexpr int kFew = 12;
+    if (count > kFew) return list_rows(mask, lane);
+    const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
+    for (int i = listed_; i < listed_ + count; i += 4) {
+      for (int j = 0; j < 4; ++j) {
+        // With a bit that stops the search, there is no branch.
+        pixel_[i + j] = static_cast<uint8_t>(std::countr_zero(mask | uint64_t{1} << 63));
+        mask &= mask - 1;
+      }
+      std::memcpy(lane_ + i, &lanes, sizeof(lanes));
+    }
+  }
+
+  // The same a row at a time, for masks of many pixels.
+  HWY_NOINLINE void list_rows(uint64_t mask, int lane) {
+    constexpr uint64_t kEach = 0x0101010101010101u;
+    const uint64_t lanes = static_cast<uint64_t>(lane) * kEach;
+    int at = listed_;
+    for (uint64_t row = 0; row < kSmallSide; ++row, mask >>= kSmallSide) {
+      const uint64_t places = kBitPlaces[mask & 0xff] + row * kSmallSide * kEach;
+      std::memcpy(pixel_ + at, &places, sizeof(places));
+      std::memcpy(lane_ + at, &lanes, sizeof(lanes));
+      at += std::popcount(mask & 0xff);
+    }
+  }
+
+  PrimitiveKind kind_ = PrimitiveKind::kTriangle;
+  setup::HWY_NAMESPACE::LanePrimitives primitives_;
+  alignas(64) int32_t place_[kLanes] = {};  // where the masks lie in the tile
+  int listed_ = 0;
+  // A few more are written behind the last.
+  alignas(64) uint8_t pixel_[kBatchSize + kListed] = {}, lane_[kBatchSize + kListed] = {};
+};
+
+// Pixels of a tile that something is about to be done to, in squares of 8x8 as masks have them.
+class PendingPixels {
+ public:
+  // Notes the pixels of a mask; false, and nothing is noted, when one is there already.
+  HWY_INLINE bool note(const SmallCoverage& coverage) {
+    constexpr uint64_t kEachRow = 0x0101010101010101u;
+    const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
+    const uint64_t mask = coverage.mask;
+    uint64_t* square =
+        square_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
+    if ((dx | dy) == 0) {  // as the squares of narrow primitives are
+      if ((*square & mask) != 0) return false;
+      *square |= mask;
+      return true;
+    }
+    // The mask lies across four squares.
+    const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
+    const uint64_t left = mask << dx & ~right_columns;
+    const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
+    // Rows that move on to the next square: all 64 bits when dy is 0, so in two steps.
+    const auto above = [dy](uint64_t m) { return m >> (56 - kSmallSide * dy) >> kSmallSide; };
+    const uint64_t parts[4] = {left << kSmallSide * dy, right << kSmallSide * dy, above(left),
+                               above(right)};
+    uint64_t* const place[4] = {square, square + 1, square + kSquareStride,
+                                square + kSquareStride + 1};
+    uint64_t common = 0;
+    for (int i = 0; i < 4; ++i) common |= *place[i] & parts[i];
+    if (common != 0) return false;
+    for (int i = 0; i < 4; ++i) *place[i] |= parts[i];
+    return true;
+  }
+
+  void forget() { forget_vectors(std::make_index_sequence<kWholeVectors / kStep>()); }
+
+ private:
+  // Squares of a row, with one more at its end, and rows with one more above.
+  static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
+  static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
+  static constexpr int kWholeVectors = (kSquares + 7) / 8 * 8;
+  using TagSquares = hn::ScalableTag<uint64_t>;
+  static constexpr int kStep = static_cast<int>(hn::MaxLanes(TagSquares()));
+  static_assert(kWholeVectors % kStep == 0);
+
+  // No loop, which compilers make a slow string instruction of.
+  template <size_t... i>
+  HWY_INLINE void forget_vectors(std::index_sequence<i...>) {
+    const TagSquares d;
+    (hn::Store(hn::Zero(d), d, square_ + i * kStep), ...);
+  }
+
+  alignas(64) uint64_t square_[kWholeVectors] = {};
+};
+
+}  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
