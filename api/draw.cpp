@@ -327,7 +327,7 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
     pipeline::read_pixels(from, static_cast<int>(x0), static_cast<int>(row), count, rgba.data());
     std::byte* out = to;
     for (const uint32_t pixel : rgba) {
-      const uint32_t packed = pack_bgra(pixel, type);
+      const uint32_t packed = pack_read(pixel, type);
       std::memcpy(out, &packed, static_cast<size_t>(bytes));
       out += bytes;
     }

@@ -4,6 +4,7 @@
 // EXT_texture_format_BGRA8888 (with texture_test.cpp), EXT_read_format_bgra.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -208,6 +209,37 @@ TEST_F(Extensions, ReadsBgra) {
   EXPECT_ERROR(GL_INVALID_OPERATION);
   glReadPixels(0, 0, 1, 1, GL_BGRA8_EXT, GL_UNSIGNED_BYTE, packed);
   EXPECT_ERROR(GL_INVALID_ENUM);
+}
+
+// What is offered follows the surface: RGB of 5, 6 and 5 bits is read as it is held.
+TEST_F(Extensions, Rgb565IsReadAsItIs) {
+  const auto offered = [](GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return static_cast<GLenum>(value);
+  };
+  uint16_t packed[2] = {7, 7};
+  EXPECT_EQ(offered(GL_IMPLEMENTATION_COLOR_READ_FORMAT_OES), GLenum{GL_RGBA});
+  EXPECT_EQ(offered(GL_IMPLEMENTATION_COLOR_READ_TYPE_OES), GLenum{GL_UNSIGNED_BYTE});
+  glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, packed);
+  EXPECT_ERROR(GL_INVALID_OPERATION);
+  pipeline::Target target = make_target(kSize, kSize, false);
+  target.colour->format = pipeline::ColourFormat::kRgb565;
+  ASSERT_TRUE(make_current(context_, target, target));
+  EXPECT_EQ(offered(GL_IMPLEMENTATION_COLOR_READ_FORMAT_OES), GLenum{GL_RGB});
+  EXPECT_EQ(offered(GL_IMPLEMENTATION_COLOR_READ_TYPE_OES), GLenum{GL_UNSIGNED_SHORT_5_6_5});
+  for (const uint32_t value : {0u, 1u, 17u, 30u, 31u}) {
+    const float part = static_cast<float>(value) / 31;
+    glClearColor(part, 1 - part, part, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, packed);
+    const uint32_t green = static_cast<uint32_t>(std::lround((1 - part) * 63));
+    EXPECT_EQ(packed[0], value << 11 | green << 5 | value);
+  }
+  EXPECT_EQ(packed[1], 7);
+  glReadPixels(0, 0, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, packed);
+  EXPECT_ERROR(GL_INVALID_OPERATION);
+  EXPECT_ERROR(GL_NO_ERROR);
 }
 
 }  // namespace

@@ -232,6 +232,10 @@ pipeline::Target read_target(const Context& c) {
   return c.framebuffer ? draw_target(c) : c.surface_read;
 }
 
+bool is_rgb565(const pipeline::Target& target) {
+  return target.colour && target.colour->format == pipeline::ColourFormat::kRgb565;
+}
+
 void use_targets(Context& c, const pipeline::Target& draw, const pipeline::Target& read) {
   c.finish_frame(Slow::kChangesTarget);
   c.frame.set_target(draw);

@@ -20,6 +20,9 @@ Invalid read_framebuffer(const Context& context);
 pipeline::Target draw_target(const Context& context);
 pipeline::Target read_target(const Context& context);
 
+// Whether pixels of the target are also read as they are held (OES_read_format).
+bool is_rgb565(const pipeline::Target& target);
+
 // Makes them the context's targets. What was recorded for others is executed.
 void update_targets(Context& context);
 void use_targets(Context& context, const pipeline::Target& draw, const pipeline::Target& read);

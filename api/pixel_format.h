@@ -134,21 +134,26 @@ inline uint32_t components_of(uint32_t colour, GLenum format) {
   }
 }
 
-// Bytes of a pixel as ReadPixels gives it (4.3.1, EXT_read_format_bgra); 0 if it does not.
+// Bytes of a pixel as ReadPixels gives it (4.3.1, EXT_read_format_bgra, OES_read_format); 0 if it
+// does not, whatever the surface.
 inline size_t read_bytes(GLenum format, GLenum type) {
   if (type == GL_UNSIGNED_BYTE) return format == GL_RGBA || format == GL_BGRA_EXT ? 4 : 0;
+  if (format == GL_RGB && type == GL_UNSIGNED_SHORT_5_6_5) return 2;
   return format == GL_BGRA_EXT && (type == GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT ||
                                    type == GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT)
              ? 2
              : 0;
 }
 
-// A pixel of a surface as BGRA of that type: blue in the lowest bits, components rounded (4.3.1).
-inline uint32_t pack_bgra(uint32_t pixel, GLenum type) {
+// A pixel of a surface as RGB or BGRA of that type: blue in the lowest bits, components rounded
+// (4.3.1).
+inline uint32_t pack_read(uint32_t pixel, GLenum type) {
   const auto scaled = [pixel](uint32_t shift, uint32_t max) {
     return ((pixel >> shift & 255) * max + 127) / 255;
   };
   switch (type) {
+    case GL_UNSIGNED_SHORT_5_6_5:
+      return scaled(16, 31) | scaled(8, 63) << 5 | scaled(0, 31) << 11;
     case GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT:
       return scaled(16, 15) | scaled(8, 15) << 4 | scaled(0, 15) << 8 | scaled(24, 15) << 12;
     case GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT:

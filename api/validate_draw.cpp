@@ -139,7 +139,10 @@ Invalid read_rectangle(const Context& c, GLsizei width, GLsizei height, GLenum f
             "pixels are not read as {4} of {5}, but as RGBA of UNSIGNED_BYTE (4.3.1) or as BGRA "
             "(EXT_read_format_bgra)"};
   }
-  return read_framebuffer(c);
+  if (const Invalid wrong = read_framebuffer(c)) return wrong;
+  return operation_unless(type != GL_UNSIGNED_SHORT_5_6_5 || is_rgb565(read_target(c)),
+                          "the surface has not the colours of {5}, and is read as RGBA of "
+                          "UNSIGNED_BYTE or as BGRA (OES_read_format)");
 }
 }  // namespace
 
