@@ -197,10 +197,11 @@ class SmallBatch {
       VecI packed = hn::GatherIndex(di, stored, offset);
       const auto passes = depth_stencil_test(di, StencilState(), depth_state_, listed,
                                              to_depth_value(d, depth_state_, z), packed);
-      hn::StoreU(hn::Compress(offset, passes), di, kept + count);
-      hn::StoreU(hn::Compress(lane, passes), di, lane_of_ + count);
-      hn::StoreU(hn::Compress(packed, passes), di, depth_of_ + count);
-      count += static_cast<int>(hn::CountTrue(di, passes));
+      const LanesInFront in_front(passes);
+      hn::StoreU(in_front(offset), di, kept + count);
+      hn::StoreU(in_front(lane), di, lane_of_ + count);
+      hn::StoreU(in_front(packed), di, depth_of_ + count);
+      count += in_front.count();
     }
     if (depth_state_.write) {
       for (int i = 0; i < count; ++i) {

@@ -62,6 +62,37 @@ class FragmentPlanes {
   decltype(hn::IndicesFromVec(TagI(), hn::Vec<TagI>())) whole_index_;
 };
 
+// Puts the lanes of a mask in front, in order; those behind them are anything. Vectors of up to 8
+// lanes do it by a table: Highway's Compress copies one for each call of theirs.
+class LanesInFront {
+ public:
+  using TagI = hn::ScalableTag<int32_t>;
+  using VecI = hn::Vec<TagI>;
+
+  HWY_INLINE explicit LanesInFront(hn::Mask<TagI> mask) : mask_(mask) {
+    if constexpr (!kCompresses) {
+      uint8_t bits[8] = {};
+      hn::StoreMaskBits(TagI(), mask, bits);
+      const auto* places = reinterpret_cast<const uint8_t*>(&kBitPlaces[bits[0]]);
+      place_ = hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint8_t, TagI>(), places));
+    }
+  }
+  HWY_INLINE VecI operator()(VecI v) const {
+    if constexpr (kCompresses) {
+      return hn::Compress(v, mask_);
+    } else {
+      return hn::TableLookupLanes(v, hn::IndicesFromVec(TagI(), place_));
+    }
+  }
+  HWY_INLINE int count() const { return static_cast<int>(hn::CountTrue(TagI(), mask_)); }
+
+ private:
+  static constexpr bool kCompresses = hn::MaxLanes(TagI()) > 8;
+
+  hn::Mask<TagI> mask_;
+  VecI place_;
+};
+
 // Primitives of one kind, one in each lane, and their pixels: bits of the masks, and in which lane
 // the primitive is.
 class SmallGroup {
