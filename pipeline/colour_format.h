@@ -45,8 +45,6 @@ constexpr uint32_t widen_component(uint32_t value, int bits) {
 // of an absent alpha are set.
 struct Truncation {
   uint32_t keep = 0, from4 = 0, from5 = 0, from6 = 0, from_top = 0, set = 0;
-  // Whether bits come from others.
-  constexpr bool repeats() const { return (from4 | from5 | from6 | from_top) != 0; }
 };
 constexpr Truncation truncation_of(ColourFormat format) {
   const std::array<int, 4> bits = component_bits(format);

@@ -2,7 +2,8 @@
 //
 // Highway's library would make it, and is needed for nothing else. But when it is loaded it
 // measures the processor's timer, for benchmarks, which takes milliseconds: a third of the time to
-// the first frame. So on x86 the functions that Highway's headers ask for are here.
+// the first frame. So on x86 the functions that Highway's headers ask for are here; weak,
+// as a program with the static library may have Highway's too.
 // SPDX-License-Identifier: MIT
 #include "pipeline/simd.h"
 
@@ -47,15 +48,15 @@ int64_t detect_targets() {
 
 }  // namespace
 
-int64_t SupportedTargets() {
+__attribute__((weak)) int64_t SupportedTargets() {
   static const int64_t supported = detect_targets();
   const int64_t targets = supported & ~disabled_targets.load();
   return targets != 0 ? targets : HWY_STATIC_TARGET;
 }
 
-void DisableTargets(int64_t targets) { disabled_targets = targets; }
+__attribute__((weak)) void DisableTargets(int64_t targets) { disabled_targets = targets; }
 
-ChosenTarget& GetChosenTarget() {
+__attribute__((weak)) ChosenTarget& GetChosenTarget() {
   static ChosenTarget chosen;
   return chosen;
 }

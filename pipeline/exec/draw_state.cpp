@@ -90,8 +90,12 @@ ProgramHolder& CurrentState::program() {
     const uint8_t mask = fragment_.colour_mask;
     if (target_.colour && !target_.colour->has_alpha) {
       fragment_.colour_mask = mask & 0x7;
-      // With alpha, which is 255 already, programs replace whole pixels.
-      if (fragment_.colour_mask == 0x7 && to.format == ColourFormat::kRgba8 && !to.srgb) {
+      // With alpha, which is 255 already, programs replace whole pixels. Textured ones, which are
+      // never solid, gain nothing by it.
+      const bool textured = std::any_of(fragment_.unit.begin(), fragment_.unit.end(),
+                                        [](const TextureUnit& unit) { return unit.enabled; });
+      if (fragment_.colour_mask == 0x7 && to.format == ColourFormat::kRgba8 && !to.srgb &&
+          !textured) {
         fragment_.colour_mask = 0xf;
         to.format = ColourFormat::kRgb8;
       }

@@ -82,9 +82,9 @@ inline void logic_op_stage(LogicOp op, FragmentBatch& batch) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V truncate_colour(D d, const Truncation& to, V pixel) {
   const hn::RebindToSigned<D> di;
-  V result = hn::Or(hn::And(pixel, hn::Set(d, to.keep)), hn::Set(d, to.set));
-  if (!to.repeats()) return result;
+  if (to.set != 0) return hn::Or(pixel, hn::Set(d, to.set));  // all others have 8 bits
   const V top = hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(di, pixel)));
+  V result = hn::And(pixel, hn::Set(d, to.keep));
   result = hn::Or(result, hn::And(hn::ShiftRight<4>(pixel), hn::Set(d, to.from4)));
   result = hn::Or(result, hn::And(hn::ShiftRight<5>(pixel), hn::Set(d, to.from5)));
   result = hn::Or(result, hn::And(hn::ShiftRight<6>(pixel), hn::Set(d, to.from6)));

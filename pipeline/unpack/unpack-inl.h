@@ -33,20 +33,46 @@ constexpr D32 d32;
 
 HWY_INLINE V16 bits(uint16_t value) { return hn::Set(d16, value); }
 
-// 255 v / 31 and 255 v / 63, rounded: exact, without a division.
-HWY_INLINE V16 scale_5(V16 v) {
-  return hn::ShiftRight<6>(hn::Add(hn::Mul(v, bits(527)), bits(23)));
+// 255 v / 31 and 255 v / 63, rounded to nearest, of a component that stands in the middle of a
+// lane: the upper half of a product, with a bias below the component. That they are exact is found
+// by trying all values (unpack_test.cpp).
+HWY_INLINE V16 scaled(V16 s, uint16_t mask, uint16_t bias, uint16_t factor) {
+  return hn::MulHigh(hn::Or(hn::And(s, bits(mask)), bits(bias)), bits(factor));
 }
-HWY_INLINE V16 scale_6(V16 v) {
-  return hn::ShiftRight<6>(hn::Add(hn::Mul(v, bits(259)), bits(33)));
-}
+HWY_INLINE V16 scale_5_at_10(V16 s) { return scaled(s, 0x7c00, 46, 527); }
+HWY_INLINE V16 scale_5_at_6(V16 s) { return scaled(s, 0x07c0, 4, 8422); }
+HWY_INLINE V16 scale_6_at_5(V16 s) { return scaled(s, 0x07e0, 4, 8289); }
 
-HWY_INLINE V16 load_16(const uint8_t* from) {
-  return hn::LoadU(d16, reinterpret_cast<const uint16_t*>(from));
-}
-
+// Interleaving works within blocks of 128 bits. So that texels come out in order, the blocks' lower
+// halves get the first half of the pixels, and the upper halves the second (of 256 bits, by
+// quarters of a vector: 0 1 2 3 becomes 0 2 1 3).
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE V16 halves_to_blocks(V16 v) { return v; }
 HWY_INLINE void store_halves(V16 rg, V16 ba, uint32_t* to) {
   hn::StoreInterleaved2(rg, ba, d16, reinterpret_cast<uint16_t*>(to));
+}
+#else
+HWY_INLINE V16 halves_to_blocks(V16 v) {
+  const size_t lanes = hn::Lanes(d32);
+  if (lanes <= 4) return v;
+  HWY_ALIGN int32_t from[hn::MaxLanes(d32)];
+  for (size_t i = 0; i < lanes; ++i) {
+    from[i] = static_cast<int32_t>(i / 4 * 2 + i % 2 + (i % 4 / 2) * (lanes / 2));
+  }
+  return hn::BitCast(d16,
+                     hn::TableLookupLanes(hn::BitCast(d32, v), hn::SetTableIndices(d32, from)));
+}
+HWY_INLINE void store_halves(V16 rg, V16 ba, uint32_t* to) {
+  hn::StoreU(hn::BitCast(d32, hn::InterleaveLower(d16, rg, ba)), d32, to);
+  hn::StoreU(hn::BitCast(d32, hn::InterleaveUpper(d16, rg, ba)), d32, to + hn::Lanes(d32));
+}
+#endif
+
+HWY_INLINE V16 load_16(const uint8_t* from) {
+  return halves_to_blocks(hn::LoadU(d16, reinterpret_cast<const uint16_t*>(from)));
+}
+HWY_INLINE V16 load_8(const uint8_t* from) {
+  return halves_to_blocks(hn::PromoteTo(d16, hn::LoadU(hn::Rebind<uint8_t, D16>(), from)));
 }
 
 // Each layout unpacks lanes() pixels of kBytes bytes.
@@ -55,9 +81,9 @@ struct Rgb565 {
   static size_t lanes() { return hn::Lanes(d16); }
   static HWY_INLINE void run(const uint8_t* from, uint32_t* to) {
     const V16 s = load_16(from);
-    const V16 r = scale_5(hn::ShiftRight<11>(s));
-    const V16 g = scale_6(hn::And(hn::ShiftRight<5>(s), bits(63)));
-    const V16 b = scale_5(hn::And(s, bits(31)));
+    const V16 r = scale_5_at_10(hn::ShiftRight<1>(s));
+    const V16 g = scale_6_at_5(s);
+    const V16 b = scale_5_at_10(hn::ShiftLeft<10>(s));
     store_halves(hn::Or(r, hn::ShiftLeft<8>(g)), hn::Or(b, bits(0xff00)), to);
   }
 };
@@ -67,9 +93,9 @@ struct Rgba5551 {
   static size_t lanes() { return hn::Lanes(d16); }
   static HWY_INLINE void run(const uint8_t* from, uint32_t* to) {
     const V16 s = load_16(from);
-    const V16 r = scale_5(hn::ShiftRight<11>(s));
-    const V16 g = scale_5(hn::And(hn::ShiftRight<6>(s), bits(31)));
-    const V16 b = scale_5(hn::And(hn::ShiftRight<1>(s), bits(31)));
+    const V16 r = scale_5_at_10(hn::ShiftRight<1>(s));
+    const V16 g = scale_5_at_6(s);
+    const V16 b = scale_5_at_10(hn::ShiftLeft<9>(s));
     const V16 a = hn::Mul(hn::And(s, bits(1)), bits(0xff00));
     store_halves(hn::Or(r, hn::ShiftLeft<8>(g)), hn::Or(b, a), to);
   }
@@ -101,7 +127,7 @@ struct Luminance8 {
   static constexpr size_t kBytes = 1;
   static size_t lanes() { return hn::Lanes(d16); }
   static HWY_INLINE void run(const uint8_t* from, uint32_t* to) {
-    const V16 l = hn::PromoteTo(d16, hn::LoadU(hn::Rebind<uint8_t, D16>(), from));
+    const V16 l = load_8(from);
     store_halves(hn::Mul(l, bits(0x0101)), hn::Or(l, bits(0xff00)), to);
   }
 };
@@ -110,7 +136,7 @@ struct Alpha8 {
   static constexpr size_t kBytes = 1;
   static size_t lanes() { return hn::Lanes(d16); }
   static HWY_INLINE void run(const uint8_t* from, uint32_t* to) {
-    const V16 a = hn::PromoteTo(d16, hn::LoadU(hn::Rebind<uint8_t, D16>(), from));
+    const V16 a = load_8(from);
     store_halves(hn::Zero(d16), hn::ShiftLeft<8>(a), to);
   }
 };
