@@ -119,6 +119,7 @@ def agreement(build, ours, theirs, share):
     return done.returncode == 0, f"{100 * float(fields['near']):.2f}% within 2/255"
 
 
-def bandwidth(build, threads):
-    done = subprocess.run([build / "bench" / "bandwidth", str(threads)], capture_output=True, text=True, check=True)
-    return {key: float(value) for key, value in re.findall(r"(\w+)_gb=(\S+)", done.stdout)}
+def limits(build, threads):
+    """What the machine can do: GB/s by kind of traffic, and `arithmetic` in thousand millions of operations a second."""
+    done = subprocess.run([build / "bench" / "limits", str(threads)], capture_output=True, text=True, check=True)
+    return {key: float(value) for key, value in re.findall(r"(\w+)_g(?:b)?=(\S+)", done.stdout)}
