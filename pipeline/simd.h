@@ -6,8 +6,8 @@
 #pragma once
 
 // Scalar code, SSE4, AVX2 and AVX-512 on x86; on other processors what Highway knows of them. The
-// instructions that AVX3_DL has beyond AVX3 are none that pixels need. A build may omit further ones
-// (CMakeLists.txt, of sanitizers).
+// instructions that AVX3_DL has beyond AVX3 are none that pixels need. A build may omit further
+// ones (CMakeLists.txt, of sanitizers).
 #ifndef CLEARPIPE_OMITTED_TARGETS
 #define CLEARPIPE_OMITTED_TARGETS 0
 #endif
