@@ -84,9 +84,9 @@ HWY_INLINE V blend(D d, BlendEquation equation, BlendFactor source_factor,
   }
 }
 
-// The blending of a colour channel or of alpha.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V blend_channel(D d, const BlendState& state, bool alpha, const BlendOperands<V>& in) {
+// The blending of a colour channel or of alpha; the state is a BlendState or has its members.
+template <class D, class State, class V = hn::Vec<D>>
+HWY_INLINE V blend_channel(D d, const State& state, bool alpha, const BlendOperands<V>& in) {
   return blend(d, alpha ? state.alpha : state.rgb, alpha ? state.src_alpha : state.src_rgb,
                alpha ? state.dst_alpha : state.dst_rgb, alpha, in);
 }

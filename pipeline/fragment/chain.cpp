@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/early_tests-inl.h"
 #include "pipeline/fragment/gather-inl.h"
 #include "pipeline/fragment/stages-inl.h"
 
@@ -59,7 +60,7 @@ class Chain {
 void RunChain(const FragmentProgram& program, const PrimitivePlanes& planes,
               const Coverage& coverage, Tile& tile) {
   Coverage kept = coverage;
-  if (program.early_depth) early_depth(planes, planes.depth, depth_state(program), tile, kept);
+  if (program.early_depth) test_early(program, planes, planes.depth, tile, kept);
   if (program.step_count == 0) return;
   Chain chain(program, planes, tile);
   for (int row = kept.first_row; row < kept.last_row; ++row) {

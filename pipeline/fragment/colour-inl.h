@@ -41,14 +41,19 @@ HWY_INLINE V clamp_colour(D d, V c) {
   return hn::Min(hn::Max(c, hn::Zero(d)), hn::Set(d, kColourOne));
 }
 
-// The nearest integer, ties to even, of a float clamped to [0, kColourOne]; NaN becomes 0, as Max
-// takes its second parameter then. Adding 1.5 * 2^23 leaves that integer in the low mantissa bits.
+// The nearest integer, ties to even, of a float in [0, kColourOne]. Adding 1.5 * 2^23 leaves it in
+// the low mantissa bits.
 template <class DF, class VF = hn::Vec<DF>>
-HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> round_colour(DF df, VF scaled) {
+HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> round_inside(DF df, VF inside) {
   const hn::RebindToSigned<DF> di;
   const VF magic = hn::Set(df, 12582912.0f);
-  const VF clamped = hn::Min(hn::Max(scaled, hn::Zero(df)), hn::Set(df, float{kColourOne}));
-  return hn::Sub(hn::BitCast(di, hn::Add(clamped, magic)), hn::BitCast(di, magic));
+  return hn::Sub(hn::BitCast(di, hn::Add(inside, magic)), hn::BitCast(di, magic));
+}
+
+// The same of any float, clamped; NaN becomes 0, as Max takes its second parameter then.
+template <class DF, class VF = hn::Vec<DF>>
+HWY_INLINE hn::Vec<hn::RebindToSigned<DF>> round_colour(DF df, VF scaled) {
+  return round_inside(df, hn::Min(hn::Max(scaled, hn::Zero(df)), hn::Set(df, float{kColourOne})));
 }
 
 // A float in [0, 1] (anything else is clamped, NaN to 0) as a colour in 32 bits.

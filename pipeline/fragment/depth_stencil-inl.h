@@ -20,6 +20,7 @@
 #include "pipeline/fragment/chain.h"
 #include "pipeline/fragment/compare-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
+#include "pipeline/nearest_int-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -28,8 +29,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct DepthState {
   bool test = false, write = false;
   CompareFunc func = CompareFunc::kAlways;
-  float most = 16777215.0f;  // the value of depth 1
-  bool whole = false;        // 32 bits
+  float most = 16777215.0f;              // the value of depth 1
+  bool whole = false;                    // 32 bits
+  static constexpr bool inside = false;  // window depth may be outside [0, 1]
 };
 
 inline DepthState depth_state(const FragmentProgram& program) {
@@ -63,9 +65,9 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_whole_depth_value(D d, V z) {
 // Max takes its second parameter then.
 template <class D, class State, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_depth_value(D d, const State& depth, V z) {
-  z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
+  if (!depth.inside) z = hn::Min(hn::Max(z, hn::Zero(d)), hn::Set(d, 1.0f));
   if (depth.whole) return to_whole_depth_value(d, z);
-  return hn::NearestInt(hn::Mul(z, hn::Set(d, depth.most)));
+  return pipeline::HWY_NAMESPACE::nearest_int(d, hn::Mul(z, hn::Set(d, depth.most)));
 }
 
 template <class D, class V = hn::Vec<D>>
@@ -74,35 +76,49 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> depth_value(D d, const DepthState& dep
   return to_depth_value(d, depth, evaluate(d, plane, x, y));
 }
 
-// Table 4.2: what an operation makes of the stored stencil value.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V stencil_operation(D d, StencilOp op, V stored, uint8_t reference) {
-  const V one = hn::Set(d, 1), all = hn::Set(d, 255);
+// Table 4.2: what an operation makes of the stored stencil value. All are the same few steps with
+// other constants, so that no vector asks which it is:
+// clamp(((stored & keep) ^ flip) + add, least, most) & 255.
+struct StencilSteps {
+  int32_t keep, flip, add, least, most;
+};
+
+inline StencilSteps stencil_steps(StencilOp op, uint8_t reference) {
+  constexpr int32_t kLeast = INT32_MIN, kMost = INT32_MAX;  // wrap: limited by the last step alone
   switch (op) {
     case StencilOp::kKeep:
       break;
     case StencilOp::kZero:
-      return hn::Zero(d);
+      return {0, 0, 0, kLeast, kMost};
     case StencilOp::kReplace:
-      return hn::Set(d, reference);
+      return {0, reference, 0, kLeast, kMost};
     case StencilOp::kIncrement:
-      return hn::Min(hn::Add(stored, one), all);
+      return {255, 0, 1, kLeast, 255};
     case StencilOp::kDecrement:
-      return hn::Max(hn::Sub(stored, one), hn::Zero(d));
+      return {255, 0, -1, 0, kMost};
     case StencilOp::kInvert:
-      return hn::Xor(stored, all);
+      return {255, 255, 0, kLeast, kMost};
     case StencilOp::kIncrementWrap:
-      return hn::And(hn::Add(stored, one), all);
+      return {255, 0, 1, kLeast, kMost};
     case StencilOp::kDecrementWrap:
-      return hn::And(hn::Sub(stored, one), all);
+      return {255, 0, -1, kLeast, kMost};
   }
-  return stored;
+  return {255, 0, 0, kLeast, kMost};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V stencil_operation(D d, StencilOp op, V stored, uint8_t reference) {
+  const StencilSteps steps = stencil_steps(op, reference);
+  const V flipped = hn::Xor(hn::And(stored, hn::Set(d, steps.keep)), hn::Set(d, steps.flip));
+  const V sum = hn::Add(flipped, hn::Set(d, steps.add));
+  const V clamped = hn::Min(hn::Max(sum, hn::Set(d, steps.least)), hn::Set(d, steps.most));
+  return hn::And(clamped, hn::Set(d, 255));
 }
 
 // Both tests for one vector. `live` selects the fragments that take part; returns those that pass
 // both, and the new packed values.
-template <class D, class State, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const StencilState& stencil, const State& depth,
+template <class D, class Stencil, class State, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> depth_stencil_test(D d, const Stencil& stencil, const State& depth,
                                           hn::Mask<D> live, V fragment_depth, V& packed) {
   const hn::RebindToUnsigned<D> du;
   const V highest = hn::Set(d, INT32_MIN);
@@ -165,44 +181,6 @@ inline void depth_stencil_stage(const Plane& plane, const StencilState& stencil,
     const auto passes = depth_stencil_test(d, stencil, depth, live, value, packed);
     hn::Store(packed, d, stored + i);
     hn::Store(hn::DemoteTo(d16, hn::VecFromMask(d, passes)), d16, lives + i);
-  }
-}
-
-// The depth test of whole rows before anything else is computed (4.1.5 allows no difference to be
-// seen): pixels that fail leave the coverage. Values are read and written in the tile. `plane` is
-// the depth, relative to the reference of `planes`.
-inline void early_depth(const PrimitivePlanes& planes, const Plane& plane, const DepthState& depth,
-                        Tile& tile, Coverage& coverage) {
-  const hn::ScalableTag<float> df;
-  const hn::RebindToSigned<decltype(df)> d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const StencilState no_stencil;
-  const auto to_x = hn::Set(df, 0.5f - planes.x_ref);
-  const auto lane_bit = hn::Shl(hn::Set(d, 1), hn::Iota(d, 0));
-  for (int row = coverage.first_row; row < coverage.last_row; ++row) {
-    const uint64_t covered = coverage.rows[row];
-    if (covered == 0) continue;
-    const int first = std::countr_zero(covered) / lanes * lanes;
-    const int last = 64 - std::countl_zero(covered);
-    const auto y = hn::Set(df, static_cast<float>(tile.y + row) + (0.5f - planes.y_ref));
-    auto* stored = reinterpret_cast<int32_t*>(tile.depth_stencil + row * kTileWidth);
-    uint64_t kept = 0;
-    for (int x = first; x < last; x += lanes) {
-      const auto bits = hn::Set(d, static_cast<int32_t>(covered >> x & 0xffff));
-      const auto live = hn::Ne(hn::And(bits, lane_bit), hn::Zero(d));
-      const auto column =
-          hn::Add(hn::Add(hn::Set(df, static_cast<float>(tile.x + x)), hn::Iota(df, 0)), to_x);
-      auto packed = hn::Load(d, stored + x);
-      const auto passes = depth_stencil_test(d, no_stencil, depth, live,
-                                             depth_value(df, depth, plane, column, y), packed);
-      if (depth.write) hn::Store(packed, d, stored + x);
-      uint8_t bytes[8] = {};
-      hn::StoreMaskBits(d, passes, bytes);
-      uint32_t word;
-      std::memcpy(&word, bytes, sizeof(word));
-      kept |= static_cast<uint64_t>(word) << x;
-    }
-    coverage.rows[row] = kept;
   }
 }
 

@@ -12,13 +12,12 @@
 #include <bit>
 #include <type_traits>
 
-#include "pipeline/fragment/blend-inl.h"
 #include "pipeline/fragment/compare-inl.h"
-#include "pipeline/fragment/depth_stencil-inl.h"
+#include "pipeline/fragment/early_tests-inl.h"
 #include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/fused_unit-inl.h"
 #include "pipeline/fragment/group-inl.h"
-#include "pipeline/fragment/write-inl.h"
+#include "pipeline/fragment/write_row-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -102,7 +101,8 @@ class FusedTextures {
   FragmentBatch batch_;
 };
 
-// All stages over the rows of a coverage, a group of pixels at a time.
+// All stages over a coverage: first the tests, where they may come first, then the colours of each
+// row, a group of pixels at a time.
 template <bool kTextured>
 class FusedLoop {
  public:
@@ -110,56 +110,33 @@ class FusedLoop {
       : p_(program),
         planes_(planes),
         tile_(tile),
-        tests_(program.depth_test || program.stencil.enabled),
+        tests_late_(program.alpha_test && (program.depth_test || program.stencil.enabled)),
         depth_(depth_state(program)),
-        truncates_(program.format != ColourFormat::kRgba8),
         truncation_(truncation_of(program.format)) {
     needs_w_ = planes.perspective &&
                (kTextured || !planes.flat_colour || program.fog_mode != FogMode::kNone);
-    blends_ = program.blend.enabled && !program.has_logic_op;
-    opaque_ = program.colour_mask == 0xffffffffu && !blends_ && !program.has_logic_op;
-    solid_ = !kTextured && planes.flat_colour && opaque_ && program.fog_mode == FogMode::kNone &&
-             !program.alpha_test;
-    if constexpr (kTextured) textures_.start(program, planes, tile);
-    if (planes.flat_colour) {
-      for (int c = 0; c < 4; ++c) {
-        const VecI value = round_colour(TagF(), hn::Set(TagF(), planes.colour[c].value));
-        flat_.channel[c] = narrow({value, value});
-      }
-    }
-    if (solid_) {
-      Vec16 bytes[4];
-      for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), flat_.channel[c]);
-      solid_pixels_ = pack_kept(bytes).lower;
-    }
+    opaque_ = program.colour_mask == 0xffffffffu && !program.blend.enabled && !program.has_logic_op;
   }
 
   void run(const Coverage& coverage) {
-    for (int row = coverage.first_row; row < coverage.last_row; ++row) {
-      uint64_t covered = coverage.rows[row];
-      if (covered == 0) continue;
-      set_row(row);
-      if constexpr (kTextured) {
-        if (tests_ && !p_.alpha_test) covered = test_row(row, covered);
-        if (covered == 0 || (p_.colour_mask == 0 && !p_.alpha_test)) continue;
-        sample_row(row, covered);
-        if (!textures_.are_simple()) combine_row(covered);
-      }
-      for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
-        const int group = std::countr_zero(rest);
-        shade_group(row, group, group_bits(covered, group));
-      }
+    Coverage left = coverage;
+    if ((p_.depth_test || p_.stencil.enabled) && !tests_late_) {
+      test_early(p_, planes_, planes_.depth, tile_, left);
+    }
+    if (p_.colour_mask == 0 && !p_.alpha_test) return;
+    if (!opaque_) writer_ = row_writer(p_);
+    const bool plain = !kTextured && !p_.alpha_test && p_.fog_mode == FogMode::kNone;
+    if (plain && planes_.flat_colour) {
+      shade_flat(left);
+    } else if (plain && !planes_.perspective) {
+      shade_linear(left);
+    } else {
+      shade_any(left);
     }
   }
 
  private:
   static constexpr int kLanes = kGroup / 2;
-
-  static constexpr uint64_t kGroupBits = (uint64_t{1} << kGroup) - 1;
-
-  static HWY_INLINE uint64_t group_bits(uint64_t covered, int group) {
-    return covered >> (group * kGroup) & kGroupBits;
-  }
 
   // The groups of a row that have pixels, a bit each.
   static HWY_INLINE uint32_t groups_of(uint64_t covered) {
@@ -179,10 +156,110 @@ class FusedLoop {
     return halves;
   }
 
+  // One colour for all pixels.
+  void shade_flat(const Coverage& coverage) {
+    Vec16 bytes[4];
+    for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), flat_channel(c));
+    if (opaque_) {
+      const Pair<VecU> pixels = pack_kept(bytes);
+      for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
+        for (int group = 0; group < kRowGroups; ++group) {
+          store_live(pixels, live_mask(group_bits(covered, group)), pixels_of(row, group));
+        }
+      });
+      return;
+    }
+    for (int group = 0; group < kRowGroups; ++group) put_bytes(bytes, group);
+    for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR { write_row(row, covered); });
+  }
+
+  // Interpolated colours that no division by w belongs to.
+  void shade_linear(const Coverage& coverage) {
+    const TilePlaces places(tile_, planes_);
+    SplitPlane colour[4];
+    bool inside = true;
+    for (int c = 0; c < 4; ++c) {
+      colour[c].set(planes_.colour[c], places);
+      inside = inside && colour[c].lies_within(coverage.first_row, coverage.last_row, 0.0f,
+                                               float{kColourOne});
+    }
+    const auto shade = [&](auto round, auto write) HWY_ATTR {
+      for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
+        for (int group = 0; group < kRowGroups; ++group) {
+          const uint64_t bits = group_bits(covered, group);
+          if (bits == 0) continue;
+          Vec16 bytes[4];
+          for (int c = 0; c < 4; ++c) {
+            const int column = group * kGroup;
+            bytes[c] = to_unorm8(Tag16(), narrow({round(colour[c].at(row, column)),
+                                                  round(colour[c].at(row, column + kLanes))}));
+          }
+          write(bytes, row, group, bits);
+        }
+        if (!opaque_) write_row(row, covered);
+      });
+    };
+    const auto round_any = [](VecF v) HWY_ATTR { return round_colour(TagF(), v); };
+    const auto replace = [&](Vec16 bytes[4], int row, int group, uint64_t bits) HWY_ATTR {
+      store_live(pack_kept(bytes), live_mask(bits), pixels_of(row, group));
+    };
+    const auto keep = [&](Vec16 bytes[4], int, int group, uint64_t)
+                          HWY_ATTR { put_bytes(bytes, group); };
+    if (!opaque_) {
+      shade(round_any, keep);
+    } else if (inside) {
+      shade([](VecF v) HWY_ATTR { return round_inside(TagF(), v); }, replace);
+    } else {
+      shade(round_any, replace);
+    }
+  }
+
+  // Everything else.
+  void shade_any(const Coverage& coverage) {
+    if constexpr (kTextured) textures_.start(p_, planes_, tile_);
+    if (planes_.flat_colour) {
+      for (int c = 0; c < 4; ++c) flat_.channel[c] = flat_channel(c);
+    }
+    for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
+      set_row(row);
+      if constexpr (kTextured) {
+        sample_row(row, covered);
+        if (!textures_.are_simple()) combine_row(covered);
+      }
+      uint64_t written = 0;
+      for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
+        const int group = std::countr_zero(rest);
+        written |= shade_group(row, group, group_bits(covered, group)) << (group * kGroup);
+      }
+      if (!opaque_ && p_.colour_mask != 0) write_row(row, written);
+    });
+  }
+
+  template <class F>
+  static HWY_INLINE void for_each_row(const Coverage& coverage, const F& function) {
+    for (int row = coverage.first_row; row < coverage.last_row; ++row) {
+      if (coverage.rows[row] != 0) function(row, coverage.rows[row]);
+    }
+  }
+
+  HWY_INLINE uint32_t* pixels_of(int row, int group) const {
+    return tile_.colour + row * kTileWidth + group * kGroup;
+  }
+  HWY_INLINE void write_row(int row, uint64_t covered) const {
+    writer_(p_, row_, covered, pixels_of(row, 0));
+  }
+  HWY_INLINE void put_bytes(const Vec16 bytes[4], int group) {
+    for (int c = 0; c < 4; ++c) hn::Store(bytes[c], Tag16(), row_.channel[c] + group * kGroup);
+  }
+
+  HWY_INLINE Vec16 flat_channel(int c) const {
+    const VecI value = round_colour(TagF(), hn::Set(TagF(), planes_.colour[c].value));
+    return narrow({value, value});
+  }
+
   HWY_INLINE void set_row(int row) {
     y_ = hn::Set(TagF(), static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
     if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y_);
-    if (solid_) return;
     if (needs_w_) inv_w_ = RowPlane(planes_.inv_w, y_);
     if (!planes_.flat_colour) {
       for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y_);
@@ -197,37 +274,6 @@ class FusedLoop {
     const VecF first = hn::Set(d, static_cast<float>(tile_.x + group * kGroup));
     return {hn::Add(hn::Add(first, hn::Iota(d, 0)), to_x),
             hn::Add(hn::Add(first, hn::Iota(d, kLanes)), to_x)};
-  }
-
-  static HWY_INLINE Pair<MaskI> live_mask(uint64_t bits) {
-    const TagI d;
-    const uint64_t upper_bits = bits >> kLanes;
-    return {hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&bits)),
-            hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&upper_bits))};
-  }
-
-  static HWY_INLINE uint64_t bits_of(const Pair<MaskI>& live) {
-    const TagI d;
-    uint8_t lower[8] = {}, upper[8] = {};
-    hn::StoreMaskBits(d, live.lower, lower);
-    hn::StoreMaskBits(d, live.upper, upper);
-    uint32_t lower_bits, upper_bits;
-    std::memcpy(&lower_bits, lower, sizeof(lower_bits));
-    std::memcpy(&upper_bits, upper, sizeof(upper_bits));
-    return lower_bits | static_cast<uint64_t>(upper_bits) << kLanes;
-  }
-
-  // The depth and stencil tests of a row; returns what passes.
-  HWY_INLINE uint64_t test_row(int row, uint64_t covered) {
-    uint64_t passed = 0;
-    for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
-      const int group = std::countr_zero(rest);
-      Pair<MaskI> live = live_mask(group_bits(covered, group));
-      if (test_depth_stencil(place(group), row * kTileWidth + group * kGroup, live)) {
-        passed |= bits_of(live) << (group * kGroup);
-      }
-    }
-    return passed;
   }
 
   HWY_INLINE void sample_row(int row, uint64_t covered) {
@@ -255,20 +301,10 @@ class FusedLoop {
     textures_.apply_row(first, end);
   }
 
-  HWY_INLINE void shade_group(int row, int group, uint64_t bits) {
+  // Pixels that replace what is stored go there, others to the row's colours. Returns which pixels
+  // are written: the alpha test comes before those of depth and stencil (4.1.4).
+  HWY_INLINE uint64_t shade_group(int row, int group, uint64_t bits) {
     const Pair<VecF> x = place(group);
-    Pair<MaskI> live = live_mask(bits);
-    const int at = row * kTileWidth + group * kGroup;
-    if constexpr (!kTextured) {
-      // The alpha test comes first where there is one (4.1.4); otherwise what fails is not
-      // coloured.
-      if (tests_ && !p_.alpha_test && !test_depth_stencil(x, at, live)) return;
-      if (p_.colour_mask == 0 && !p_.alpha_test) return;
-      if (solid_) {
-        store_live({solid_pixels_, solid_pixels_}, live, tile_.colour + at);
-        return;
-      }
-    }
     Pair<VecF> w{};
     if (needs_w_) w = group_w(group, x);
     Colour16 colour;
@@ -283,14 +319,25 @@ class FusedLoop {
     if (p_.fog_mode != FogMode::kNone) apply_fog(x, w, colour);
     Vec16 bytes[4];
     for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);
+    Pair<MaskI> live = live_mask(bits);
     if (p_.alpha_test) {
       const Tag16 d16;
       const auto passes = compare(d16, p_.alpha_func, bytes[3], hn::Set(d16, p_.alpha_reference));
       const Pair<MaskI> wide = widen_mask(hn::VecFromMask(d16, passes));
       live = {hn::And(live.lower, wide.lower), hn::And(live.upper, wide.upper)};
-      if (tests_ && !test_depth_stencil(x, at, live)) return;
+      if (tests_late_) {
+        const int at = row * kTileWidth + group * kGroup;
+        live = {test_half(x.lower, at, live.lower), test_half(x.upper, at + kLanes, live.upper)};
+      }
     }
-    if (p_.colour_mask != 0) write(bytes, at, live);
+    if (opaque_) {
+      store_live(pack_kept(bytes), live, pixels_of(row, group));
+      return bits;
+    }
+    put_bytes(bytes, group);
+    if (!p_.alpha_test) return bits;
+    const TagI d;
+    return bits_of_mask(d, live.lower) | bits_of_mask(d, live.upper) << kLanes;
   }
 
   HWY_INLINE Pair<VecF> group_w(int group, const Pair<VecF>& x) const {
@@ -302,24 +349,15 @@ class FusedLoop {
     }
   }
 
-  // Both tests; fragments that fail leave `live`. False when none is left.
-  HWY_INLINE bool test_depth_stencil(const Pair<VecF>& x, int at, Pair<MaskI>& live) {
-    live.lower = test_half(x.lower, at, live.lower);
-    live.upper = test_half(x.upper, at + kLanes, live.upper);
-    const TagI d;
-    return !hn::AllFalse(d, hn::Or(live.lower, live.upper));
-  }
-
+  // Both tests of half a group; returns which fragments are left.
   HWY_INLINE MaskI test_half(VecF x, int at, MaskI live) {
     const TagI d;
     auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + at);
     VecI packed = hn::Load(d, stored);
     const VecI depth =
         depth_.test ? to_depth_value(TagF(), depth_, depth_plane_.at(x)) : hn::Zero(d);
-    const MaskI passes = p_.stencil.enabled
-                             ? depth_stencil_test(d, p_.stencil, depth_, live, depth, packed)
-                             : depth_stencil_test(d, StencilState(), depth_, live, depth, packed);
-    if (depth_.write || p_.stencil.enabled) hn::Store(packed, d, stored);
+    const MaskI passes = depth_stencil_test(d, p_.stencil, depth_, live, depth, packed);
+    hn::Store(packed, d, stored);
     return passes;
   }
 
@@ -344,84 +382,29 @@ class FusedLoop {
     }
   }
 
-  HWY_INLINE void write(Vec16 bytes[4], int at, const Pair<MaskI>& live) {
-    const TagU d;
-    uint32_t* to = tile_.colour + at;
-    if (opaque_) {
-      store_live(pack_kept(bytes), live, to);
-      return;
-    }
-    const Pair<VecU> stored = {hn::Load(d, to), hn::Load(d, to + kLanes)};
-    if (blends_) blend_group(stored, bytes);
-    Pair<VecU> packed = pack_pixels(bytes);
-    if (p_.has_logic_op) {
-      packed.lower = logic_op(d, p_.logic_op, packed.lower, stored.lower);
-      packed.upper = logic_op(d, p_.logic_op, packed.upper, stored.upper);
-    }
-    if (truncates_) packed = truncate_pixels(packed);
-    const VecU writable = hn::Set(d, p_.colour_mask);
-    store_half(packed.lower, stored.lower, writable, live.lower, to);
-    store_half(packed.upper, stored.upper, writable, live.upper, to + kLanes);
-  }
-
-  // 4.1.8, on a surface of fewer bits.
-  HWY_INLINE Pair<VecU> truncate_pixels(const Pair<VecU>& pixels) const {
-    const TagU d;
-    return {truncate_colour(d, truncation_, pixels.lower),
-            truncate_colour(d, truncation_, pixels.upper)};
-  }
-  HWY_INLINE Pair<VecU> pack_kept(Vec16 bytes[4]) const {
+  // Packed pixels, on a surface of fewer bits what it holds of them (4.1.8).
+  HWY_INLINE Pair<VecU> pack_kept(const Vec16 bytes[4]) const {
     const Pair<VecU> packed = pack_pixels(bytes);
-    return truncates_ ? truncate_pixels(packed) : packed;
-  }
-
-  static HWY_INLINE void store_live(const Pair<VecU>& pixels, const Pair<MaskI>& live,
-                                    uint32_t* to) {
+    if (p_.format == ColourFormat::kRgba8) return packed;
     const TagU d;
-    hn::BlendedStore(pixels.lower, hn::RebindMask(d, live.lower), d, to);
-    hn::BlendedStore(pixels.upper, hn::RebindMask(d, live.upper), d, to + kLanes);
-  }
-
-  static HWY_INLINE void store_half(VecU packed, VecU stored, VecU writable, MaskI live,
-                                    uint32_t* to) {
-    const TagU d;
-    const VecU change = hn::And(hn::BitCast(d, hn::VecFromMask(TagI(), live)), writable);
-    hn::Store(hn::Or(hn::And(packed, change), hn::AndNot(change, stored)), d, to);
-  }
-
-  HWY_INLINE void blend_group(const Pair<VecU>& stored, Vec16 bytes[4]) const {
-    const Tag16 d16;
-    const TagU16 d;
-    using V = hn::Vec<TagU16>;
-    Vec16 destination[4];
-    unpack_pixels(stored, destination);
-    BlendOperands<V> in;
-    in.source_alpha = hn::BitCast(d, bytes[3]);
-    in.destination_alpha = hn::BitCast(d, destination[3]);
-    const BlendState& state = p_.blend;
-    for (int c = 0; c < 4; ++c) {
-      in.source = hn::BitCast(d, bytes[c]);
-      in.destination = hn::BitCast(d, destination[c]);
-      bytes[c] = hn::BitCast(d16, blend_channel(d, state, c == 3, in));
-    }
+    return {truncate_colour(d, truncation_, packed.lower),
+            truncate_colour(d, truncation_, packed.upper)};
   }
 
   const FragmentProgram& p_;
   const PrimitivePlanes& planes_;
   Tile& tile_;
-  const bool tests_;
+  const bool tests_late_;  // after the alpha test
   const NarrowDepthState depth_;
-  const bool truncates_;
   const Truncation truncation_;
   bool needs_w_;
-  bool blends_;
-  bool opaque_;  // every fragment that lives replaces the whole pixel
-  bool solid_;   // and all of them by the same
+  bool opaque_;                 // every fragment that lives replaces the whole pixel
+  RowWriter writer_ = nullptr;  // where it does not
   Colour16 flat_;
-  VecU solid_pixels_;
   RowPlane depth_plane_, inv_w_, fog_, colour_[4];
   VecF y_;
   alignas(64) float x_[kTileWidth], w_[kTileWidth];  // of the pixels of a textured row
+  RowColours row_;                                   // 8-bit values, for the writer
   std::conditional_t<kTextured, FusedTextures, char> textures_;
 };
 

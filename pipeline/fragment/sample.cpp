@@ -56,7 +56,6 @@ FusedSampler sampler_of(const SampleState& state, Filter filter) {
     return FusedSampler::k##f##wrap_s##wrap_t;                                          \
   }
 #include "pipeline/fragment/fused.def"
-#undef FUSED_SAMPLER
   return FusedSampler::kAny;
 }
 

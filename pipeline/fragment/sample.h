@@ -37,7 +37,6 @@ inline WrapKind wrap_kind(Wrap wrap, int size) {
 enum class FusedSampler : uint8_t {
 #define FUSED_SAMPLER(filter, s, t) k##filter##s##t,
 #include "pipeline/fragment/fused.def"
-#undef FUSED_SAMPLER
   kAny
 };
 

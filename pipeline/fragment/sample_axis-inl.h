@@ -19,6 +19,7 @@
 #endif
 
 #include "hwy/highway.h"
+#include "pipeline/nearest_int-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::sampling {
@@ -65,7 +66,7 @@ HWY_INLINE VecInt round_to_int(VecFloat v) {
 #if HWY_TARGET == HWY_EMU128 || HWY_TARGET == HWY_SCALAR
   return hn::ConvertTo(TagInt(), round_even(v));
 #else
-  return hn::NearestInt(v);
+  return pipeline::HWY_NAMESPACE::nearest_int(TagFloat(), v);
 #endif
 }
 

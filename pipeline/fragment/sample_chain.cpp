@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/early_tests-inl.h"
 #include "pipeline/fragment/gather-inl.h"
 #include "pipeline/fragment/stages-inl.h"
 
@@ -148,7 +149,7 @@ bool KeepSamples(const FragmentProgram& program, const PrimitivePlanes& planes,
     Coverage& kept = coverage[s];
     if ((program.sample_mask >> s & 1) == 0) kept.last_row = kept.first_row;
     if (program.early_depth) {
-      early_depth(planes, depths.plane[s], depth_state(program), tiles[s], kept);
+      test_early(program, planes, depths.plane[s], tiles[s], kept);
     }
     if (kept.first_row == kept.last_row) kept.first_row = kept.last_row = 0;
     if (kept.last_row != 0) first = std::min(first, kept.first_row);

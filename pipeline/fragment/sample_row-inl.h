@@ -375,7 +375,6 @@ RowSampler row_sampler(FusedSampler sampler) {
 #define FUSED_SAMPLER(filter, wrap_s, wrap_t) \
   sample_row<Filter::k##filter, WrapKind::k##wrap_s, WrapKind::k##wrap_t>,
 #include "pipeline/fragment/fused.def"
-#undef FUSED_SAMPLER
       nullptr};
   return kSamplers[static_cast<int>(sampler)];
 }
