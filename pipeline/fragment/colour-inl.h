@@ -17,10 +17,14 @@ namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // colour_from_unorm8 (batch.h) of a vector: 8192 * v / 255, rounded to nearest. 32 v / 255 differs
-// so little from v / 8 that both round alike.
+// so little from v / 8 that 32.125 v rounds alike; in 16 bits it is a product of 128 v.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V from_unorm8(D d, V v) {
-  return hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(hn::Add(v, hn::Set(d, 4))));
+  if constexpr (sizeof(hn::TFromD<D>) == 2) {
+    return hn::MulFixedPoint15(hn::ShiftLeft<7>(v), hn::Set(d, 8224));
+  } else {
+    return hn::Add(hn::ShiftLeft<5>(v), hn::ShiftRight<3>(hn::Add(v, hn::Set(d, 4))));
+  }
 }
 
 // The nearest 8-bit value of a colour in [0, 1]; gives back what from_unorm8 was given. 1020 is

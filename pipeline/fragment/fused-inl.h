@@ -17,6 +17,7 @@
 #include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/fused_unit-inl.h"
 #include "pipeline/fragment/group-inl.h"
+#include "pipeline/fragment/split_plane-inl.h"
 #include "pipeline/fragment/write_row-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,13 +31,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 // group.
 class FusedTextures {
  public:
-  void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile) {
+  void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
+             const TilePlaces& places) {
     p_ = &program;
     count_ = 0;
     simple_ = true;
     for (int u = 0; u < kMaxTextureUnits; ++u) {
       if ((program.inputs.texture_units >> u & 1) == 0) continue;
-      unit_[count_].start(program, planes, tile, u);
+      unit_[count_].start(program, planes, tile, places, u);
       number_[count_++] = u;
       simple_ = simple_ && program.unit[u].simple_environment;
     }
@@ -49,10 +51,24 @@ class FusedTextures {
 
   bool are_simple() const { return simple_; }
 
-  // Samples halves of a row; x and w are those of its pixels.
-  HWY_INLINE void sample(int row, Halves halves, VecF y, const float* x, const float* w) {
-    for (int i = 0; i < count_; ++i) unit_[i].sample(row, halves, y, x, w, batch_);
+  // Samples halves of a row; w is that of its pixels.
+  HWY_INLINE void sample(int row, Halves halves, const float* w) {
+    for (int i = 0; i < count_; ++i) unit_[i].sample(row, halves, w, batch_);
   }
+
+  // Whether fragments of this primary colour get the texels of the only unit as they are, but for
+  // the bits that are set in `texel_bits`.
+  bool gives_texels(const PrimitivePlanes& planes, uint32_t& texel_bits) const {
+    if (count_ != 1 || !simple_ || !unit_[0].has_pixels() || !planes.flat_colour) return false;
+    const Combiner& combiner = p_->unit[number_[0]].combiner;
+    const auto is_one = [&](int c) { return planes.colour[c].value == float{kColourOne}; };
+    const bool keeps_alpha = combiner.alpha == Combine::kReplace &&
+                             combiner.alpha_argument[0].source == CombineSource::kPrevious;
+    texel_bits = keeps_alpha ? 0xff000000u : 0;
+    return (combiner.rgb == Combine::kReplace || (is_one(0) && is_one(1) && is_one(2))) &&
+           ((combiner.alpha == Combine::kReplace && !keeps_alpha) || is_one(3));
+  }
+  HWY_INLINE Pair<VecU> texels(int group) const { return unit_[0].pixels(group); }
 
   // The simple environments of a group that is sampled.
   HWY_INLINE void apply(int group, Colour16& colour) const {
@@ -175,14 +191,7 @@ class FusedLoop {
 
   // Interpolated colours that no division by w belongs to.
   void shade_linear(const Coverage& coverage) {
-    const TilePlaces places(tile_, planes_);
-    SplitPlane colour[4];
-    bool inside = true;
-    for (int c = 0; c < 4; ++c) {
-      colour[c].set(planes_.colour[c], places);
-      inside = inside && colour[c].lies_within(coverage.first_row, coverage.last_row, 0.0f,
-                                               float{kColourOne});
-    }
+    set_colours(coverage, TilePlaces(tile_, planes_));
     const auto shade = [&](auto round, auto write) HWY_ATTR {
       for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
         for (int group = 0; group < kRowGroups; ++group) {
@@ -191,8 +200,8 @@ class FusedLoop {
           Vec16 bytes[4];
           for (int c = 0; c < 4; ++c) {
             const int column = group * kGroup;
-            bytes[c] = to_unorm8(Tag16(), narrow({round(colour[c].at(row, column)),
-                                                  round(colour[c].at(row, column + kLanes))}));
+            bytes[c] = to_unorm8(Tag16(), narrow({round(colour_[c].at(row, column)),
+                                                  round(colour_[c].at(row, column + kLanes))}));
           }
           write(bytes, row, group, bits);
         }
@@ -207,7 +216,7 @@ class FusedLoop {
                           HWY_ATTR { put_bytes(bytes, group); };
     if (!opaque_) {
       shade(round_any, keep);
-    } else if (inside) {
+    } else if (inside_) {
       shade([](VecF v) HWY_ATTR { return round_inside(TagF(), v); }, replace);
     } else {
       shade(round_any, replace);
@@ -216,22 +225,50 @@ class FusedLoop {
 
   // Everything else.
   void shade_any(const Coverage& coverage) {
-    if constexpr (kTextured) textures_.start(p_, planes_, tile_);
-    if (planes_.flat_colour) {
-      for (int c = 0; c < 4; ++c) flat_.channel[c] = flat_channel(c);
+    const TilePlaces places(tile_, planes_);
+    if (tests_late_ && depth_.test) depth_plane_.set(planes_.depth, places);
+    if (needs_w_) inv_w_.set(planes_.inv_w, places);
+    if (p_.fog_mode != FogMode::kNone) fog_.set(planes_.fog, places);
+    set_colours(coverage, places);
+    if constexpr (kTextured) {
+      textures_.start(p_, planes_, tile_, places);
+      uint32_t texel_bits;
+      if (!p_.alpha_test && p_.fog_mode == FogMode::kNone &&
+          textures_.gives_texels(planes_, texel_bits)) {
+        shade_texels(coverage, texel_bits);
+        return;
+      }
     }
     for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
-      set_row(row);
       if constexpr (kTextured) {
         sample_row(row, covered);
-        if (!textures_.are_simple()) combine_row(covered);
+        if (!textures_.are_simple()) combine_row(row, covered);
       }
       uint64_t written = 0;
-      for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
-        const int group = std::countr_zero(rest);
+      for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
         written |= shade_group(row, group, group_bits(covered, group)) << (group * kGroup);
-      }
+      });
       if (!opaque_ && p_.colour_mask != 0) write_row(row, written);
+    });
+  }
+
+  // Texels that are the colours.
+  void shade_texels(const Coverage& coverage, uint32_t bits) {
+    const TagU d;
+    for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
+      sample_row(row, covered);
+      for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+        Pair<VecU> pixels = textures_.texels(group);
+        pixels = {hn::Or(pixels.lower, hn::Set(d, bits)), hn::Or(pixels.upper, hn::Set(d, bits))};
+        if (opaque_) {
+          store_live(keep(pixels), live_mask(group_bits(covered, group)), pixels_of(row, group));
+        } else {
+          Vec16 bytes[4];
+          unpack_pixels(pixels, bytes);
+          put_bytes(bytes, group);
+        }
+      });
+      if (!opaque_) write_row(row, covered);
     });
   }
 
@@ -252,51 +289,46 @@ class FusedLoop {
     for (int c = 0; c < 4; ++c) hn::Store(bytes[c], Tag16(), row_.channel[c] + group * kGroup);
   }
 
+  void set_colours(const Coverage& coverage, const TilePlaces& places) {
+    inside_ = !planes_.perspective;
+    for (int c = 0; c < 4; ++c) {
+      if (planes_.flat_colour) {
+        flat_.channel[c] = flat_channel(c);
+        continue;
+      }
+      colour_[c].set(planes_.colour[c], places);
+      inside_ = inside_ && colour_[c].lies_within(coverage.first_row, coverage.last_row, 0.0f,
+                                                  float{kColourOne});
+    }
+  }
+
   HWY_INLINE Vec16 flat_channel(int c) const {
     const VecI value = round_colour(TagF(), hn::Set(TagF(), planes_.colour[c].value));
     return narrow({value, value});
   }
 
-  HWY_INLINE void set_row(int row) {
-    y_ = hn::Set(TagF(), static_cast<float>(tile_.y + row) + (0.5f - planes_.y_ref));
-    if (depth_.test) depth_plane_ = RowPlane(planes_.depth, y_);
-    if (needs_w_) inv_w_ = RowPlane(planes_.inv_w, y_);
-    if (!planes_.flat_colour) {
-      for (int c = 0; c < 4; ++c) colour_[c] = RowPlane(planes_.colour[c], y_);
-    }
-    if (p_.fog_mode != FogMode::kNone) fog_ = RowPlane(planes_.fog, y_);
-  }
-
-  // The places of a group's pixels, from whole numbers, as the chain has them.
-  HWY_INLINE Pair<VecF> place(int group) const {
-    const TagF d;
-    const VecF to_x = hn::Set(d, 0.5f - planes_.x_ref);
-    const VecF first = hn::Set(d, static_cast<float>(tile_.x + group * kGroup));
-    return {hn::Add(hn::Add(first, hn::Iota(d, 0)), to_x),
-            hn::Add(hn::Add(first, hn::Iota(d, kLanes)), to_x)};
+  static HWY_INLINE Pair<VecF> at(const SplitPlane& plane, int row, int group) {
+    return {plane.at(row, group * kGroup), plane.at(row, group * kGroup + kLanes)};
   }
 
   HWY_INLINE void sample_row(int row, uint64_t covered) {
     const TagF d;
-    for (uint32_t rest = groups_of(covered); rest != 0; rest &= rest - 1) {
-      const int group = std::countr_zero(rest);
-      const Pair<VecF> x = place(group);
-      hn::Store(x.lower, d, x_ + group * kGroup);
-      hn::Store(x.upper, d, x_ + group * kGroup + kLanes);
-      if (!needs_w_) continue;
-      const Pair<VecF> w = reciprocal(inv_w_.at(x));
-      hn::Store(w.lower, d, w_ + group * kGroup);
-      hn::Store(w.upper, d, w_ + group * kGroup + kLanes);
+    if (needs_w_) {
+      for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+        const Pair<VecF> w = reciprocal(at(inv_w_, row, group));
+        hn::Store(w.lower, d, w_ + group * kGroup);
+        hn::Store(w.upper, d, w_ + group * kGroup + kLanes);
+      });
     }
-    textures_.sample(row, halves_of(covered), y_, x_, w_);
+    textures_.sample(row, halves_of(covered), w_);
   }
 
-  HWY_INLINE void combine_row(uint64_t covered) {
+  HWY_INLINE void combine_row(int row, uint64_t covered) {
     const uint32_t groups = groups_of(covered);
     const int first = std::countr_zero(groups), end = 32 - std::countl_zero(groups);
     for (int group = first; group < end; ++group) {
-      const Pair<VecF> x = place(group);
-      textures_.put_primary(group, primary_colour(x, needs_w_ ? group_w(group, x) : Pair<VecF>{}));
+      const Pair<VecF> w = needs_w_ ? group_w(row, group) : Pair<VecF>{};
+      textures_.put_primary(group, primary_colour(row, group, w));
     }
     textures_.apply_row(first, end);
   }
@@ -304,19 +336,18 @@ class FusedLoop {
   // Pixels that replace what is stored go there, others to the row's colours. Returns which pixels
   // are written: the alpha test comes before those of depth and stencil (4.1.4).
   HWY_INLINE uint64_t shade_group(int row, int group, uint64_t bits) {
-    const Pair<VecF> x = place(group);
     Pair<VecF> w{};
-    if (needs_w_) w = group_w(group, x);
+    if (needs_w_) w = group_w(row, group);
     Colour16 colour;
     if constexpr (!kTextured) {
-      colour = primary_colour(x, w);
+      colour = primary_colour(row, group, w);
     } else if (textures_.are_simple()) {
-      colour = primary_colour(x, w);
+      colour = primary_colour(row, group, w);
       textures_.apply(group, colour);
     } else {
       colour = textures_.result(group);
     }
-    if (p_.fog_mode != FogMode::kNone) apply_fog(x, w, colour);
+    if (p_.fog_mode != FogMode::kNone) apply_fog(row, group, w, colour);
     Vec16 bytes[4];
     for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);
     Pair<MaskI> live = live_mask(bits);
@@ -326,8 +357,8 @@ class FusedLoop {
       const Pair<MaskI> wide = widen_mask(hn::VecFromMask(d16, passes));
       live = {hn::And(live.lower, wide.lower), hn::And(live.upper, wide.upper)};
       if (tests_late_) {
-        const int at = row * kTileWidth + group * kGroup;
-        live = {test_half(x.lower, at, live.lower), test_half(x.upper, at + kLanes, live.upper)};
+        const int column = group * kGroup;
+        live = {test_half(row, column, live.lower), test_half(row, column + kLanes, live.upper)};
       }
     }
     if (opaque_) {
@@ -340,40 +371,46 @@ class FusedLoop {
     return bits_of_mask(d, live.lower) | bits_of_mask(d, live.upper) << kLanes;
   }
 
-  HWY_INLINE Pair<VecF> group_w(int group, const Pair<VecF>& x) const {
+  HWY_INLINE Pair<VecF> group_w(int row, int group) const {
     const TagF d;
     if constexpr (kTextured) {
       return {hn::Load(d, w_ + group * kGroup), hn::Load(d, w_ + group * kGroup + kLanes)};
     } else {
-      return reciprocal(inv_w_.at(x));
+      return reciprocal(at(inv_w_, row, group));
     }
   }
 
   // Both tests of half a group; returns which fragments are left.
-  HWY_INLINE MaskI test_half(VecF x, int at, MaskI live) {
+  HWY_INLINE MaskI test_half(int row, int column, MaskI live) {
     const TagI d;
-    auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + at);
+    auto* stored = reinterpret_cast<int32_t*>(tile_.depth_stencil + row * kTileWidth + column);
     VecI packed = hn::Load(d, stored);
     const VecI depth =
-        depth_.test ? to_depth_value(TagF(), depth_, depth_plane_.at(x)) : hn::Zero(d);
+        depth_.test ? to_depth_value(TagF(), depth_, depth_plane_.at(row, column)) : hn::Zero(d);
     const MaskI passes = depth_stencil_test(d, p_.stencil, depth_, live, depth, packed);
     hn::Store(packed, d, stored);
     return passes;
   }
 
-  HWY_INLINE Colour16 primary_colour(const Pair<VecF>& x, const Pair<VecF>& w) const {
+  HWY_INLINE Colour16 primary_colour(int row, int group, const Pair<VecF>& w) const {
     if (planes_.flat_colour) return flat_;
+    const TagF d;
     Colour16 colour;
     for (int c = 0; c < 4; ++c) {
-      const Pair<VecF> value = colour_[c].at(x);
-      colour.channel[c] = narrow_scaled(planes_.perspective ? multiply(value, w) : value);
+      Pair<VecF> value = at(colour_[c], row, group);
+      if (inside_) {
+        colour.channel[c] = narrow({round_inside(d, value.lower), round_inside(d, value.upper)});
+      } else {
+        if (planes_.perspective) value = multiply(value, w);
+        colour.channel[c] = narrow({round_colour(d, value.lower), round_colour(d, value.upper)});
+      }
     }
     return colour;
   }
 
-  HWY_INLINE void apply_fog(const Pair<VecF>& x, const Pair<VecF>& w, Colour16& colour) const {
+  HWY_INLINE void apply_fog(int row, int group, const Pair<VecF>& w, Colour16& colour) const {
     const TagF d;
-    Pair<VecF> c = fog_.at(x);
+    Pair<VecF> c = at(fog_, row, group);
     if (planes_.perspective) c = multiply(c, w);
     const FogConstants fog = fog_constants(p_);
     const Vec16 factor = narrow_colour({fog_factor(d, fog, c.lower), fog_factor(d, fog, c.upper)});
@@ -383,12 +420,12 @@ class FusedLoop {
   }
 
   // Packed pixels, on a surface of fewer bits what it holds of them (4.1.8).
-  HWY_INLINE Pair<VecU> pack_kept(const Vec16 bytes[4]) const {
-    const Pair<VecU> packed = pack_pixels(bytes);
-    if (p_.format == ColourFormat::kRgba8) return packed;
+  HWY_INLINE Pair<VecU> pack_kept(const Vec16 bytes[4]) const { return keep(pack_pixels(bytes)); }
+  HWY_INLINE Pair<VecU> keep(const Pair<VecU>& pixels) const {
+    if (p_.format == ColourFormat::kRgba8) return pixels;
     const TagU d;
-    return {truncate_colour(d, truncation_, packed.lower),
-            truncate_colour(d, truncation_, packed.upper)};
+    return {truncate_colour(d, truncation_, pixels.lower),
+            truncate_colour(d, truncation_, pixels.upper)};
   }
 
   const FragmentProgram& p_;
@@ -400,11 +437,11 @@ class FusedLoop {
   bool needs_w_;
   bool opaque_;                 // every fragment that lives replaces the whole pixel
   RowWriter writer_ = nullptr;  // where it does not
+  bool inside_;                 // no colour has to be clamped
   Colour16 flat_;
-  RowPlane depth_plane_, inv_w_, fog_, colour_[4];
-  VecF y_;
-  alignas(64) float x_[kTileWidth], w_[kTileWidth];  // of the pixels of a textured row
-  RowColours row_;                                   // 8-bit values, for the writer
+  SplitPlane depth_plane_, inv_w_, fog_, colour_[4];
+  alignas(64) float w_[kTileWidth];  // of the pixels of a textured row
+  RowColours row_;                   // 8-bit values, for the writer
   std::conditional_t<kTextured, FusedTextures, char> textures_;
 };
 

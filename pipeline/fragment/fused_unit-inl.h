@@ -16,6 +16,8 @@
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/interpolate-inl.h"
 #include "pipeline/fragment/row_sampler-inl.h"
+#include "pipeline/fragment/sample_colours-inl.h"
+#include "pipeline/fragment/split_plane-inl.h"
 #include "pipeline/fragment/sample-inl.h"
 #include "pipeline/fragment/texcoord-inl.h"
 #include "pipeline/fragment/texenv-inl.h"
@@ -25,20 +27,6 @@ namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
-
-// A plane on one row: what is left of `evaluate` when y is known.
-struct RowPlane {
-  VecF start, dx;
-
-  RowPlane() = default;
-  HWY_INLINE RowPlane(const Plane& plane, VecF y) {
-    const TagF d;
-    start = hn::Add(hn::Set(d, plane.value), hn::Mul(hn::Set(d, plane.dy), y));
-    dx = hn::Set(d, plane.dx);
-  }
-  HWY_INLINE VecF at(VecF x) const { return hn::Add(start, hn::Mul(dx, x)); }
-  HWY_INLINE Pair<VecF> at(const Pair<VecF>& x) const { return {at(x.lower), at(x.upper)}; }
-};
 
 HWY_INLINE Pair<VecF> multiply(const Pair<VecF>& a, const Pair<VecF>& b) {
   return {hn::Mul(a.lower, b.lower), hn::Mul(a.upper, b.upper)};
@@ -92,13 +80,13 @@ class QuadLevels {
     return hn::Gt(weights(group), hn::Zero(TagI()));
   }
 
-  // A value of each quad for both of its pixels in the row, as a group has them.
-  static HWY_INLINE Vec16 spread(VecI quads) {
+  // A value of each quad for both of its pixels in the row.
+  static HWY_INLINE Pair<VecI> spread(VecI quads) {
     const TagI d;
     const VecI lower = hn::ShiftRight<1>(hn::Iota(d, 0));
     const VecI upper = hn::Add(lower, hn::Set(d, kLanes / 2));
-    return narrow({hn::TableLookupLanes(quads, hn::IndicesFromVec(d, lower)),
-                   hn::TableLookupLanes(quads, hn::IndicesFromVec(d, upper))});
+    return {hn::TableLookupLanes(quads, hn::IndicesFromVec(d, lower)),
+            hn::TableLookupLanes(quads, hn::IndicesFromVec(d, upper))};
   }
 
  private:
@@ -114,7 +102,7 @@ class QuadLevels {
 class FusedUnit {
  public:
   void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
-             int unit) {
+             const TilePlaces& places, int unit) {
     unit_ = &program.unit[unit];
     primitive_ = &planes;
     planes_ = planes.texture[unit];
@@ -127,12 +115,14 @@ class FusedUnit {
     sampler_[1] = row_sampler(unit_->fused_mag);
     has_levels_ = unit_->sample.needs_lod && sampler_[0] != nullptr;
     if (has_levels_) levels_.reset();
+    s_plane_.set(planes_[0], places);
+    t_plane_.set(planes_[1], places);
+    if (!q_is_one_ && !q_is_inv_w_) q_plane_.set(q, places);
   }
 
-  // The texture's colours of halves of a row; x and w are those of the row's pixels.
-  void sample(int row, Halves halves, VecF y, const float* x, const float* w,
-              FragmentBatch& batch) {
-    find_coordinates(halves, y, x, w);
+  // The texture's colours of halves of a row; w is that of the row's pixels.
+  void sample(int row, Halves halves, const float* w, FragmentBatch& batch) {
+    find_coordinates(row, halves, w);
     const uint32_t groups = groups_with(halves);
     if (sampler_[0] == nullptr) {
       for_each_group(groups, [&](int group) HWY_ATTR { sample_any(row, group, batch); });
@@ -141,16 +131,20 @@ class FusedUnit {
       levels_.find(*primitive_, planes_, unit_->sample, *tile_, groups);
       sample_levels(halves, groups);
     } else {
-      sampler_[0](unit_->sample.levels[unit_->sample.first_level], s_, t_, halves, colours_);
+      sampler_[0](unit_->sample.levels[unit_->sample.first_level], s_, t_, halves, pixels_);
     }
   }
 
+  // Whether its texels are packed pixels; a colour that the chain's sampler found has more bits.
+  bool has_pixels() const { return sampler_[0] != nullptr; }
+  HWY_INLINE Pair<VecU> pixels(int group) const { return pixels_.load(group); }
+
   // Of a group that was sampled.
   HWY_INLINE Colour16 colour(int group) const {
-    Colour16 c = colours_.load(group);
-    if (sampler_[0] != nullptr) {
-      for (Vec16& channel : c.channel) channel = from_unorm8(Tag16(), channel);
-    }
+    if (!has_pixels()) return colours_.load(group);
+    Colour16 c;
+    unpack_pixels(pixels(group), c.channel);
+    for (Vec16& channel : c.channel) channel = from_unorm8(Tag16(), channel);
     return c;
   }
 
@@ -170,16 +164,14 @@ class FusedUnit {
     return halves & wanted;
   }
 
-  HWY_INLINE void find_coordinates(Halves halves, VecF y, const float* x, const float* w) {
+  HWY_INLINE void find_coordinates(int row, Halves halves, const float* w) {
     const TagF d;
-    const RowPlane s(planes_[0], y), t(planes_[1], y), q(planes_[3], y);
     for (; halves != 0; halves &= halves - 1) {
       const int i = std::countr_zero(halves) * (kGroup / 2);
-      const VecF xs = hn::Load(d, x + i);
-      VecF ss = s.at(xs), tt = t.at(xs);
+      VecF ss = s_plane_.at(row, i), tt = t_plane_.at(row, i);
       if (!q_is_one_) {  // a division by one changes nothing
         const VecF reciprocal_q =
-            q_is_inv_w_ ? hn::Load(d, w + i) : hn::Div(hn::Set(d, 1.0f), q.at(xs));
+            q_is_inv_w_ ? hn::Load(d, w + i) : hn::Div(hn::Set(d, 1.0f), q_plane_.at(row, i));
         ss = hn::Mul(ss, reciprocal_q);
         tt = hn::Mul(tt, reciprocal_q);
       }
@@ -188,7 +180,7 @@ class FusedUnit {
     }
   }
 
-  HWY_INLINE void sample_key(int key, Halves halves, RowColours& out) const {
+  HWY_INLINE void sample_key(int key, Halves halves, RowPixels& out) const {
     const SampleState& state = unit_->sample;
     sampler_[key & 1](state.levels[state.first_level + (key >> 1)], s_, t_, halves, out);
   }
@@ -201,37 +193,41 @@ class FusedUnit {
       if (levels_.is_one_key(group, key)) same |= 1u << group;
       if (!hn::AllFalse(TagI(), levels_.between_levels(group))) between |= 1u << group;
     });
-    if (same != 0) sample_key(key, halves_in(halves, same), colours_);
+    if (same != 0) sample_key(key, halves_in(halves, same), pixels_);
     if ((same & between) != 0) sample_key(key + 2, halves_in(halves, same & between), next_);
     for_each_group(groups & ~same, [&](int group) HWY_ATTR {
       const VecI keys = levels_.keys(group);
-      sample_keys(group, 0, hn::Eq(keys, keys), colours_);
+      sample_keys(group, 0, hn::Eq(keys, keys), pixels_);
       sample_keys(group, 2, levels_.between_levels(group), next_);
     });
     for_each_group(between, [&](int group) HWY_ATTR {
-      const Vec16 weight = hn::ShiftLeft<7>(QuadLevels::spread(levels_.weights(group)));
-      Colour16 c = colours_.load(group);
-      const Colour16 next = next_.load(group);
-      for (int i = 0; i < 4; ++i) c.channel[i] = lerp_8(weight, c.channel[i], next.channel[i]);
-      colours_.store(c, group);
+      using sampling::HWY_NAMESPACE::lerp_pixels;
+      const Pair<VecI> weight = QuadLevels::spread(levels_.weights(group));
+      const Pair<VecU> c = pixels_.load(group), next = next_.load(group);
+      pixels_.store({lerp_pixels(weight.lower, c.lower, next.lower),
+                     lerp_pixels(weight.upper, c.upper, next.upper)},
+                    group);
     });
   }
 
   // One pass for each distinct key of the wanted quads. What is not wanted is left as anything.
-  HWY_NOINLINE void sample_keys(int group, int step, MaskI wanted, RowColours& out) const {
+  HWY_NOINLINE void sample_keys(int group, int step, MaskI wanted, RowPixels& out) const {
     const TagI d;
+    const TagU du;
     const VecI keys = levels_.keys(group);
     HWY_ALIGN int32_t key_of[kGroup / 2];
     hn::Store(keys, d, key_of);
-    Colour16 result = out.load(group);
+    Pair<VecU> result = out.load(group);
     for (intptr_t i = hn::FindFirstTrue(d, wanted); i >= 0; i = hn::FindFirstTrue(d, wanted)) {
       sample_key(key_of[i] + step, halves_of_group(group), out);
-      const Colour16 colour = out.load(group);
+      const Pair<VecU> pixels = out.load(group);
       const MaskI mine = hn::Eq(keys, hn::Set(d, key_of[i]));
-      const auto pixels = hn::MaskFromVec(QuadLevels::spread(hn::VecFromMask(d, mine)));
-      for (int c = 0; c < 4; ++c) {
-        result.channel[c] = hn::IfThenElse(pixels, colour.channel[c], result.channel[c]);
-      }
+      const Pair<VecI> mask = QuadLevels::spread(hn::VecFromMask(d, mine));
+      const auto choose = [&](VecI is_mine, VecU yes, VecU no) HWY_ATTR {
+        return hn::IfThenElse(hn::MaskFromVec(hn::BitCast(du, is_mine)), yes, no);
+      };
+      result = {choose(mask.lower, pixels.lower, result.lower),
+                choose(mask.upper, pixels.upper, result.upper)};
       wanted = hn::AndNot(mine, wanted);
     }
     out.store(result, group);
@@ -267,10 +263,11 @@ class FusedUnit {
   const Tile* tile_;
   int index_;
   bool q_is_one_, q_is_inv_w_, has_levels_;
+  SplitPlane s_plane_, t_plane_, q_plane_;
   RowSampler sampler_[2];  // of the minification and the magnification filter
   alignas(64) float s_[kTileWidth], t_[kTileWidth];
-  RowColours colours_;  // 8-bit values, but of sample_any's
-  RowColours next_;     // those of the next level
+  RowPixels pixels_, next_;  // next_: those of the next level
+  RowColours colours_;       // sample_any's, in the fixed point of the stages
   QuadLevels levels_;
 };
 

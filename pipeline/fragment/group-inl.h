@@ -53,12 +53,6 @@ HWY_INLINE Vec16 narrow_colour(const Pair<VecF>& f) {
   return narrow({to_wide_colour(d, f.lower), to_wide_colour(d, f.upper)});
 }
 
-// The same of colours that are scaled already, as colour planes are.
-HWY_INLINE Vec16 narrow_scaled(const Pair<VecF>& f) {
-  const TagF d;
-  return narrow({round_colour(d, f.lower), round_colour(d, f.upper)});
-}
-
 // What narrow() made, in the order of the pixels.
 HWY_INLINE Vec16 in_order(Vec16 v) {
   const Tag16 d;

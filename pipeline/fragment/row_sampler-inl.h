@@ -39,6 +39,23 @@ struct RowColours {
   }
 };
 
+// The pixels of a row, packed as in a surface.
+struct RowPixels {
+  alignas(64) uint32_t pixel[kTileWidth];
+
+  HWY_INLINE Pair<VecU> load(int group) const {
+    const TagU d;
+    const uint32_t* const from = pixel + group * kGroup;
+    return {hn::Load(d, from), hn::Load(d, from + kGroup / 2)};
+  }
+  HWY_INLINE void store(const Pair<VecU>& pixels, int group) {
+    const TagU d;
+    uint32_t* const to = pixel + group * kGroup;
+    hn::Store(pixels.lower, d, to);
+    hn::Store(pixels.upper, d, to + kGroup / 2);
+  }
+};
+
 // Calls `function(group)` for each bit of `groups`.
 template <class F>
 HWY_INLINE void for_each_group(uint32_t groups, const F& function) {
@@ -52,15 +69,10 @@ HWY_INLINE Halves halves_of_group(int group) { return Halves{3} << (2 * group); 
 // Samples some halves of the groups of a row. Coordinates lie as pixels do; those of a half are all
 // read, and may be any numbers where nobody looks.
 using RowSampler = void (*)(const SampleLevel& level, const float* s, const float* t, Halves halves,
-                            RowColours& out);
+                            RowPixels& out);
 
 // The sampler of a name in fused.def; null for kAny.
 RowSampler row_sampler(FusedSampler sampler);
-
-// a + weight (b - a), rounded to nearest, for 8-bit values; the weight has 15 fraction bits.
-HWY_INLINE Vec16 lerp_8(Vec16 weight, Vec16 a, Vec16 b) {
-  return hn::Add(a, hn::MulFixedPoint15(weight, hn::Sub(b, a)));
-}
 
 #endif  // HWY_TARGET != HWY_SCALAR
 

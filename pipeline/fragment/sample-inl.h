@@ -101,9 +101,9 @@ HWY_INLINE Colours sample_linear(const Axes& axes, const SampleLevel& level, Vec
   const Colours c10 = colours_of<Axes, kFine>(axes, row0.second);
   const Colours c01 = colours_of<Axes, kFine>(axes, row1.first);
   const Colours c11 = colours_of<Axes, kFine>(axes, row1.second);
-  const Weight a = spread(x.weight);
-  const Weight b = spread(y.weight);
-  return lerp<kFine>(b, lerp<kFine>(a, c00, c10), lerp<kFine>(a, c01, c11));
+  const Weight a = spread<kFine>(x.weight);
+  const Weight b = spread<kFine>(y.weight);
+  return lerp(b, lerp(a, c00, c10), lerp(a, c01, c11));
 }
 
 template <bool kFine>
@@ -174,7 +174,7 @@ HWY_NOINLINE void sample_same_key(const SampleState& state, const BatchChoice& c
     if (choices.two_levels) {
       const Colours other = kLinear ? sample_linear<Axes, kFine>(axes, levels[1], s, t)
                                     : sample_nearest<Axes, kFine>(axes, levels[1], s, t);
-      c = lerp<kFine>(spread(hn::Load(di, choices.weight + i)), c, other);
+      c = lerp(spread<kFine>(hn::Load(di, choices.weight + i)), c, other);
     }
     store<kFine>(c, batch, unit, i);
   }
@@ -211,7 +211,7 @@ void sample_levels(const SampleState& state, FragmentBatch& batch, int unit) {
     if (!hn::AllFalse(di, both)) {
       const VecInt next = hn::Add(key, hn::Set(di, 2));
       const Colours other = sample_keys<Axes, kFine>(state, axes, next, both, s, t);
-      c = lerp<kFine>(spread(weight), c, other);
+      c = lerp(spread<kFine>(weight), c, other);
     }
     store<kFine>(c, batch, unit, i);
   }

@@ -118,36 +118,44 @@ HWY_INLINE VecInt nearest_axis(VecFloat s, int size) {
   }
 }
 
-// LINEAR with 8-bit weights: u in 24.8 fixed point, rounded, less one half; its floor and fraction.
+// LINEAR with 8-bit weights: u in 24.8 fixed point, rounded, less one half.
 template <WrapKind kWrap>
-HWY_INLINE LinearAxis linear_axis(VecFloat s, int size) {
+HWY_INLINE VecInt linear_fixed(VecFloat s, int size) {
   const TagFloat df;
-  const TagInt di;
   const VecFloat scale = hn::Set(df, static_cast<float>(size) * 256.0f);
-  const VecInt last = hn::Set(di, size - 1);
-  const VecInt one = hn::Set(di, 1);
-  const VecInt half = hn::Set(di, 128);
-  const VecInt fraction_mask = hn::Set(di, 255);
+  const VecInt half = hn::Set(TagInt(), 128);
   if constexpr (kWrap == WrapKind::kRepeatPowerOfTwo) {
-    const VecFloat u = small_or_zero(hn::Mul(s, scale), kIntegerLimit);
-    const VecInt fixed = hn::Sub(round_to_int(u), half);
-    const VecInt first = hn::And(hn::ShiftRight<8>(fixed), last);
-    return {first, hn::And(hn::Add(first, one), last), hn::And(fixed, fraction_mask)};
+    return hn::Sub(round_to_int(small_or_zero(hn::Mul(s, scale), kIntegerLimit)), half);
   } else if constexpr (kWrap == WrapKind::kRepeatOther) {
-    const VecInt fixed = hn::Sub(round_to_int(hn::Mul(fraction(s), scale)), half);
-    const VecInt whole = hn::ShiftRight<8>(fixed);
-    const VecInt first = hn::Min(hn::IfThenElse(hn::Lt(whole, hn::Zero(di)), last, whole), last);
-    const VecInt second = hn::IfThenZeroElse(hn::Eq(first, last), hn::Add(first, one));
-    return {first, second, hn::And(fixed, fraction_mask)};
+    return hn::Sub(round_to_int(hn::Mul(fraction(s), scale)), half);
   } else {
     static_assert(kWrap == WrapKind::kClampToEdge);
     const VecFloat u = number_or_zero(hn::Mul(s, scale));
-    const VecFloat inside = hn::Min(hn::Max(u, hn::Zero(df)), scale);
-    const VecInt fixed = hn::Sub(round_to_int(inside), half);
-    const VecInt whole = hn::ShiftRight<8>(fixed);  // in [-1, last]
-    return {hn::Max(whole, hn::Zero(di)), hn::Min(hn::Add(whole, one), last),
-            hn::And(fixed, fraction_mask)};
+    return hn::Sub(round_to_int(hn::Min(hn::Max(u, hn::Zero(df)), scale)), half);
   }
+}
+
+// The axis at such a number: its floor, wrapped, and its fraction.
+template <WrapKind kWrap>
+HWY_INLINE LinearAxis linear_texels(VecInt fixed, int size) {
+  const TagInt di;
+  const VecInt last = hn::Set(di, size - 1), one = hn::Set(di, 1), zero = hn::Zero(di);
+  const VecInt whole = hn::ShiftRight<8>(fixed);  // but for powers of two in [-1, last]
+  const VecInt weight = hn::And(fixed, hn::Set(di, 255));
+  if constexpr (kWrap == WrapKind::kRepeatPowerOfTwo) {
+    const VecInt first = hn::And(whole, last);
+    return {first, hn::And(hn::Add(first, one), last), weight};
+  } else if constexpr (kWrap == WrapKind::kRepeatOther) {
+    const VecInt first = hn::Min(hn::IfThenElse(hn::Lt(whole, zero), last, whole), last);
+    return {first, hn::IfThenZeroElse(hn::Eq(first, last), hn::Add(first, one)), weight};
+  } else {
+    return {hn::Max(whole, zero), hn::Min(hn::Add(whole, one), last), weight};
+  }
+}
+
+template <WrapKind kWrap>
+HWY_INLINE LinearAxis linear_axis(VecFloat s, int size) {
+  return linear_texels<kWrap>(linear_fixed<kWrap>(s, size), size);
 }
 
 // LINEAR with 15-bit weights, for samplers of which an axis mirrors.

@@ -16,6 +16,7 @@
 
 #include "hwy/highway.h"
 #include "pipeline/fragment/row_sampler-inl.h"
+#include "pipeline/fragment/sample_colours-inl.h"
 #include "pipeline/fragment/sample_level-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,18 +25,20 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
 
-using fragment::HWY_NAMESPACE::Colour16;
 using fragment::HWY_NAMESPACE::for_each_group;
 using fragment::HWY_NAMESPACE::Halves;
 using fragment::HWY_NAMESPACE::halves_of_group;
 using fragment::HWY_NAMESPACE::kGroup;
 using fragment::HWY_NAMESPACE::kRowGroups;
 using fragment::HWY_NAMESPACE::MaskI;
-using fragment::HWY_NAMESPACE::RowColours;
+using fragment::HWY_NAMESPACE::Pair;
+using fragment::HWY_NAMESPACE::RowPixels;
 using fragment::HWY_NAMESPACE::RowSampler;
 using fragment::HWY_NAMESPACE::Tag16;
+using fragment::HWY_NAMESPACE::TagU;
 using fragment::HWY_NAMESPACE::Vec16;
 using fragment::HWY_NAMESPACE::VecI;
+using fragment::HWY_NAMESPACE::VecU;
 
 class BatchRow {
  public:
@@ -48,27 +51,24 @@ class BatchRow {
   }
 
   void sample_one_level() {
-    samplers_[0](state_.levels[state_.first_level], s_, t_, halves_, colours_);
+    samplers_[0](state_.levels[state_.first_level], s_, t_, halves_, pixels_);
   }
 
   // Levels and filters that follow each fragment's level of detail.
   void sample_levels(const BatchChoice& choices, const int32_t* keys, const int32_t* weights) {
     if (choices.same_key) {
-      sample_key(keys[0], halves_, colours_);
+      sample_key(keys[0], halves_, pixels_);
       if (!choices.two_levels) return;
       sample_key(keys[0] + 2, halves_, next_);
     }
     for (int group = 0; group < kRowGroups; ++group) {
       if ((halves_ & halves_of_group(group)) == 0) continue;
       if (!choices.same_key) sample_group(group, keys, weights);
-      const Vec16 weight = hn::ShiftLeft<7>(fragment::HWY_NAMESPACE::narrow(
-          {hn::Load(TagInt(), weights + group * kGroup), upper(group, weights)}));
-      Colour16 c = colours_.load(group);
-      const Colour16 next = next_.load(group);
-      for (int i = 0; i < 4; ++i) {
-        c.channel[i] = fragment::HWY_NAMESPACE::lerp_8(weight, c.channel[i], next.channel[i]);
-      }
-      colours_.store(c, group);
+      const Pair<VecU> c = pixels_.load(group), next = next_.load(group);
+      const VecI lower = hn::Load(TagInt(), weights + group * kGroup);
+      pixels_.store({lerp_pixels(lower, c.lower, next.lower),
+                     lerp_pixels(upper(group, weights), c.upper, next.upper)},
+                    group);
     }
   }
 
@@ -77,9 +77,10 @@ class BatchRow {
     const Tag16 d;
     for (int group = 0; group < kRowGroups; ++group) {
       if ((halves_ & halves_of_group(group)) == 0) continue;
-      const Colour16 c = colours_.load(group);
+      Vec16 channels[4];
+      fragment::HWY_NAMESPACE::unpack_pixels(pixels_.load(group), channels);
       for (int i = 0; i < 4; ++i) {
-        const Vec16 channel = fragment::HWY_NAMESPACE::from_unorm8(d, c.channel[i]);
+        const Vec16 channel = fragment::HWY_NAMESPACE::from_unorm8(d, channels[i]);
         hn::Store(fragment::HWY_NAMESPACE::in_order(channel), d, out[i] + first + group * kGroup);
       }
     }
@@ -98,7 +99,7 @@ class BatchRow {
     return has_upper(group) ? hn::Load(d, values + group * kGroup + kHalf) : hn::Zero(d);
   }
 
-  HWY_INLINE void sample_key(int key, Halves halves, RowColours& out) const {
+  HWY_INLINE void sample_key(int key, Halves halves, RowPixels& out) const {
     samplers_[key & 1](state_.level(state_.first_level + (key >> 1)), s_, t_, halves, out);
   }
 
@@ -109,18 +110,19 @@ class BatchRow {
     const auto between = [&](VecI w) HWY_ATTR { return hn::Gt(w, zero); };
     const MaskI all = hn::Eq(zero, zero);
     const VecI low = hn::Load(d, weights + group * kGroup), high = upper(group, weights);
-    sample_keys(group, keys, 0, all, has_upper(group) ? all : hn::Not(all), colours_);
+    sample_keys(group, keys, 0, all, has_upper(group) ? all : hn::Not(all), pixels_);
     sample_keys(group, keys, 2, between(low), between(high), next_);
   }
 
   // One pass for each distinct key of the wanted fragments. What is not wanted is left as anything.
   HWY_NOINLINE void sample_keys(int group, const int32_t* keys, int step, MaskI low, MaskI high,
-                                RowColours& out) const {
+                                RowPixels& out) const {
     const TagInt d;
+    const TagU du;
     keys += group * kGroup;
     const VecI low_keys = hn::Load(d, keys);
     const VecI high_keys = hn::AllFalse(d, high) ? hn::Zero(d) : hn::Load(d, keys + kHalf);
-    Colour16 result = out.load(group);
+    Pair<VecU> result = out.load(group);
     while (true) {
       intptr_t i = hn::FindFirstTrue(d, low);
       if (i < 0) {
@@ -130,13 +132,10 @@ class BatchRow {
       }
       const VecI key = hn::Set(d, keys[i]);
       sample_key(keys[i] + step, halves_ & halves_of_group(group), out);
-      const Colour16 colour = out.load(group);
+      const Pair<VecU> pixels = out.load(group);
       const MaskI low_mine = hn::Eq(low_keys, key), high_mine = hn::Eq(high_keys, key);
-      const auto pixels = hn::MaskFromVec(fragment::HWY_NAMESPACE::narrow(
-          {hn::VecFromMask(d, low_mine), hn::VecFromMask(d, high_mine)}));
-      for (int c = 0; c < 4; ++c) {
-        result.channel[c] = hn::IfThenElse(pixels, colour.channel[c], result.channel[c]);
-      }
+      result.lower = hn::IfThenElse(hn::RebindMask(du, low_mine), pixels.lower, result.lower);
+      result.upper = hn::IfThenElse(hn::RebindMask(du, high_mine), pixels.upper, result.upper);
       low = hn::AndNot(low_mine, low);
       high = hn::AndNot(high_mine, high);
     }
@@ -147,7 +146,7 @@ class BatchRow {
   const RowSampler* samplers_;
   const float *s_, *t_;
   Halves halves_;
-  RowColours colours_, next_;  // next_: those of the next level
+  RowPixels pixels_, next_;  // next_: those of the next level
 };
 
 template <bool kLevels>

@@ -35,7 +35,10 @@ struct Colours {
 };
 using Weight = VecInt;
 
-HWY_INLINE Weight spread(VecInt weight) { return weight; }
+template <bool kFine>
+HWY_INLINE Weight spread(VecInt weight) {
+  return kFine ? weight : hn::ShiftLeft<7>(weight);
+}
 
 HWY_INLINE Colours no_colours() {
   const VecInt zero = hn::Zero(TagInt());
@@ -63,9 +66,8 @@ HWY_INLINE Colours decode(const int32_t* table, VecInt texels) {
   return c;
 }
 
-template <bool kFine>
 HWY_INLINE Colours lerp(Weight weight, const Colours& a, const Colours& b) {
-  constexpr int kBits = kFine ? 15 : 8;
+  constexpr int kBits = 15;
   const VecInt half = hn::Set(TagInt(), 1 << (kBits - 1));
   Colours result = a;
   for (int i = 0; i < 4; ++i) {
@@ -98,9 +100,22 @@ struct Colours {
 };
 using Weight = VecPairs;
 
-// The same 16-bit weight in both halves of a fragment's 32 bits.
+// The same weight of 15 bits in both halves of a fragment's 32 bits: of kFine the low half of them,
+// else the lowest byte, moved up; what lies above does not matter.
+template <bool kFine>
 HWY_INLINE Weight spread(VecInt weight) {
-  return hn::BitCast(TagPairs(), hn::Or(weight, hn::ShiftLeft<16>(weight)));
+  const hn::Repartition<uint8_t, TagInt> d8;
+  const auto take = [&](const uint8_t(&bytes)[16]) HWY_ATTR {
+    return hn::TableLookupBytesOr0(hn::BitCast(d8, weight), hn::LoadDup128(d8, bytes));
+  };
+  constexpr uint8_t kNone = 0x80;
+  alignas(16) static constexpr uint8_t kLowHalf[16] = {0, 1, 0, 1, 4,  5,  4,  5,
+                                                       8, 9, 8, 9, 12, 13, 12, 13};
+  alignas(16) static constexpr uint8_t kLowByte[16] = {kNone, 0, kNone, 0, kNone, 4,  kNone, 4,
+                                                       kNone, 8, kNone, 8, kNone, 12, kNone, 12};
+  if constexpr (kFine) return hn::BitCast(TagPairs(), take(kLowHalf));
+  const hn::RebindToUnsigned<TagPairs> unsigned_pairs;
+  return hn::BitCast(TagPairs(), hn::ShiftRight<1>(hn::BitCast(unsigned_pairs, take(kLowByte))));
 }
 
 HWY_INLINE Colours no_colours() { return {hn::Zero(TagPairs()), hn::Zero(TagPairs())}; }
@@ -108,8 +123,9 @@ HWY_INLINE Colours no_colours() { return {hn::Zero(TagPairs()), hn::Zero(TagPair
 HWY_INLINE Colours unpack(VecInt texels) {
   const TagPairs dp;
   const VecInt mask = hn::Set(TagInt(), 0x00ff00ff);
+  const hn::RebindToUnsigned<TagPairs> unsigned_pairs;
   return {hn::BitCast(dp, hn::And(texels, mask)),
-          hn::BitCast(dp, hn::And(hn::ShiftRight<8>(texels), mask))};
+          hn::BitCast(dp, hn::ShiftRight<8>(hn::BitCast(unsigned_pairs, texels)))};
 }
 
 // 8 bits to 13 fraction bits, exact at both ends.
@@ -133,17 +149,27 @@ HWY_INLINE Colours decode(const int32_t* table, VecInt texels) {
           hn::BitCast(dp, hn::Or(g, hn::ShiftLeft<16>(a)))};
 }
 
-// a + weight * (b - a), rounded to nearest. The difference of 8-bit values is moved up by 7 bits,
-// so that an 8-bit weight meets it in the 15-bit product.
-template <bool kFine>
-HWY_INLINE VecPairs lerp(Weight weight, VecPairs a, VecPairs b) {
-  VecPairs delta = hn::Sub(b, a);
-  if constexpr (!kFine) delta = hn::ShiftLeft<7>(delta);
-  return hn::Add(a, hn::MulFixedPoint15(weight, delta));
+// The inverse of unpack.
+HWY_INLINE VecInt pack(const Colours& c) {
+  const TagInt di;
+  return hn::Or(hn::BitCast(di, c.rb), hn::ShiftLeft<8>(hn::BitCast(di, c.ga)));
 }
-template <bool kFine>
+
+// a + weight * (b - a), rounded to nearest.
+HWY_INLINE VecPairs lerp(Weight weight, VecPairs a, VecPairs b) {
+  return hn::Add(a, hn::MulFixedPoint15(weight, hn::Sub(b, a)));
+}
 HWY_INLINE Colours lerp(Weight weight, const Colours& a, const Colours& b) {
-  return {lerp<kFine>(weight, a.rb, b.rb), lerp<kFine>(weight, a.ga, b.ga)};
+  return {lerp(weight, a.rb, b.rb), lerp(weight, a.ga, b.ga)};
+}
+
+// Packed texels by weights of 8 bits.
+template <class V>
+HWY_INLINE V lerp_pixels(VecInt weight, V a, V b) {
+  const TagInt di;
+  const hn::DFromV<V> d;
+  return hn::BitCast(
+      d, pack(lerp(spread<false>(weight), unpack(hn::BitCast(di, a)), unpack(hn::BitCast(di, b)))));
 }
 
 HWY_INLINE Colours select(hn::Mask<TagInt> mask, const Colours& yes, const Colours& no) {
