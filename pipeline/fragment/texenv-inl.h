@@ -91,25 +91,32 @@ HWY_INLINE V scale_and_clamp(D d, V v, int scale_log2) {
   return v;
 }
 
-template <Combine kCombine>
-void combine_channel(const CombinerInput* in, int scale_log2, int first, int end, int16_t* out) {
-  const hn::ScalableTag<int16_t> d;
-  constexpr int kArguments = argument_count(kCombine);
-  const CombinerInput a0 = in[0], a1 = in[kArguments > 1 ? 1 : 0], a2 = in[kArguments > 2 ? 2 : 0];
-  for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
-    const auto v0 = a0.load(d, i);
-    const auto v1 = kArguments > 1 ? a1.load(d, i) : v0;
-    const auto v2 = kArguments > 2 ? a2.load(d, i) : v0;
-    hn::Store(scale_and_clamp(d, combine<kCombine>(d, v0, v1, v2), scale_log2), d, out + i);
-  }
-}
-
-// A unit's environment with the places of its arguments in a batch.
+// A unit's environment with the places of its arguments in a batch: those of each channel.
 struct BoundEnvironment {
   Combine rgb_function, alpha_function;
   uint8_t rgb_scale_log2, alpha_scale_log2;
-  CombinerInput rgb[3][3], alpha[3];
+  CombinerInput channel[4][3];
 };
+
+// One function for the channels [from, to), one after another.
+template <Combine kCombine>
+void combine_channels(const BoundEnvironment& e, int from, int to, int first, int end,
+                      int16_t (*out)[kBatchSize]) {
+  const hn::ScalableTag<int16_t> d;
+  constexpr int kArguments = argument_count(kCombine);
+  const int scale_log2 = from == 3 ? e.alpha_scale_log2 : e.rgb_scale_log2;
+  for (int c = from; c < to; ++c) {
+    const CombinerInput* in = e.channel[c];
+    const CombinerInput a0 = in[0], a1 = in[kArguments > 1 ? 1 : 0],
+                        a2 = in[kArguments > 2 ? 2 : 0];
+    for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
+      const auto v0 = a0.load(d, i);
+      const auto v1 = kArguments > 1 ? a1.load(d, i) : v0;
+      const auto v2 = kArguments > 2 ? a2.load(d, i) : v0;
+      hn::Store(scale_and_clamp(d, combine<kCombine>(d, v0, v1, v2), scale_log2), d, out[c] + i);
+    }
+  }
+}
 
 inline BoundEnvironment bind_environment(const Combiner& combiner, const int16_t* constant,
                                          const FragmentBatch& batch) {
@@ -119,10 +126,10 @@ inline BoundEnvironment bind_environment(const Combiner& combiner, const int16_t
   e.rgb_scale_log2 = combiner.rgb_scale_log2;
   e.alpha_scale_log2 = combiner.alpha_scale_log2;
   for (int k = 0; k < 3; ++k) {
-    e.alpha[k] = combiner_input(combiner.alpha_argument[k], 3, constant, batch);
     for (int c = 0; c < 3; ++c) {
-      e.rgb[c][k] = combiner_input(combiner.rgb_argument[k], c, constant, batch);
+      e.channel[c][k] = combiner_input(combiner.rgb_argument[k], c, constant, batch);
     }
+    e.channel[3][k] = combiner_input(combiner.alpha_argument[k], 3, constant, batch);
   }
   return e;
 }
@@ -135,8 +142,8 @@ inline void combine_dot3(const BoundEnvironment& e, int first, int end, int chan
   for (int i = first; i < end; i += static_cast<int>(hn::Lanes(d))) {
     auto sum = hn::Zero(d);
     for (int c = 0; c < 3; ++c) {
-      sum = hn::Add(
-          sum, multiply(centred(d, e.rgb[c][0].load(d, i)), centred(d, e.rgb[c][1].load(d, i))));
+      sum = hn::Add(sum, multiply(centred(d, e.channel[c][0].load(d, i)),
+                                  centred(d, e.channel[c][1].load(d, i))));
     }
     const auto v = scale_and_clamp(d, sum, 2);
     for (int c = 0; c < channels; ++c) {
@@ -146,23 +153,23 @@ inline void combine_dot3(const BoundEnvironment& e, int first, int end, int chan
   }
 }
 
-inline void combine_channel_any(Combine function, const CombinerInput* in, int scale_log2,
-                                int first, int end, int16_t* out) {
+inline void combine_channels(Combine function, const BoundEnvironment& e, int from, int to,
+                             int first, int end, int16_t (*out)[kBatchSize]) {
   switch (function) {
     case Combine::kReplace:
-      return combine_channel<Combine::kReplace>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kReplace>(e, from, to, first, end, out);
     case Combine::kModulate:
-      return combine_channel<Combine::kModulate>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kModulate>(e, from, to, first, end, out);
     case Combine::kAdd:
-      return combine_channel<Combine::kAdd>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kAdd>(e, from, to, first, end, out);
     case Combine::kAddSigned:
-      return combine_channel<Combine::kAddSigned>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kAddSigned>(e, from, to, first, end, out);
     case Combine::kInterpolate:
-      return combine_channel<Combine::kInterpolate>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kInterpolate>(e, from, to, first, end, out);
     case Combine::kModulateAdd:
-      return combine_channel<Combine::kModulateAdd>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kModulateAdd>(e, from, to, first, end, out);
     default:
-      return combine_channel<Combine::kSubtract>(in, scale_log2, first, end, out);
+      return combine_channels<Combine::kSubtract>(e, from, to, first, end, out);
   }
 }
 
@@ -174,14 +181,13 @@ inline void run_environment(const BoundEnvironment& e, int first, int end,
     combine_dot3(e, first, end, 4, previous);
     return;
   }
+  const bool alike = e.rgb_function == e.alpha_function && e.rgb_scale_log2 == e.alpha_scale_log2;
   if (e.rgb_function == Combine::kDot3Rgb) {
     combine_dot3(e, first, end, 3, previous);
   } else {
-    for (int c = 0; c < 3; ++c) {
-      combine_channel_any(e.rgb_function, e.rgb[c], e.rgb_scale_log2, first, end, previous[c]);
-    }
+    combine_channels(e.rgb_function, e, 0, alike ? 4 : 3, first, end, previous);
   }
-  combine_channel_any(e.alpha_function, e.alpha, e.alpha_scale_log2, first, end, previous[3]);
+  if (!alike) combine_channels(e.alpha_function, e, 3, 4, first, end, previous);
 }
 
 // The same of a whole batch.
