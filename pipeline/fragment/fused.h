@@ -1,9 +1,9 @@
-// The fused form of a fragment program: all stages in one loop over the rows of the coverage, with
-// values in registers. It calls the same stage functions as the chain and gives the same bits.
+// The fused form of a fragment program: loops over the rows of the coverage, with values in
+// registers. They call the same stage functions as the chain and give the same bits.
 //
-// One loop is compiled without textures and one with any number of them, whose samplers
-// (fused.def) are functions over a group of pixels. Everything else that the state says is the same
-// for a whole draw, and a branch on it in the loop costs next to nothing.
+// The tests come first, then the colours, then what is not simply replaced (fused-inl.h). One form is
+// compiled without textures and one with any number of them; samplers and blendings of fused.def are
+// functions over a row.
 // SPDX-License-Identifier: MIT
 #pragma once
 
