@@ -57,12 +57,33 @@ HWY_INLINE void gather_floats(const AttributeSource& source, const uint32_t* ele
   }
 }
 
+// The same of four bytes.
+HWY_INLINE void gather_bytes(const AttributeSource& source, const uint32_t* elements, size_t count,
+                             Lane* out) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  HWY_ALIGN int32_t moved[kVertexBatch];
+  for (size_t i = 0; i < count; ++i) {
+    const size_t element = std::min(elements[i], source.max_index);
+    std::memcpy(moved + i, source.pointer + element * source.stride, sizeof(moved[i]));
+  }
+  for (int c = 0; c < 4; ++c) {
+    for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const auto bytes = hn::ShiftRightSame(hn::Load(di, moved + i), 8 * c);
+      hn::Store(hn::ConvertTo(d, hn::And(bytes, hn::Set(di, 0xff))), d, out[c] + i);
+    }
+  }
+}
+
 template <typename T>
 void gather_sized(const AttributeSource& source, const uint32_t* elements, size_t count,
                   Lane* out) {
   if constexpr (std::is_same_v<T, float>) {
     if (source.size == 3) return gather_floats<3>(source, elements, count, out);
     if (source.size == 4) return gather_floats<4>(source, elements, count, out);
+  }
+  if constexpr (std::is_same_v<T, uint8_t>) {
+    if (source.size == 4) return gather_bytes(source, elements, count, out);
   }
   switch (source.size) {
     case 1:
