@@ -78,11 +78,12 @@ void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& p) {
 
 void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
   TextureUnitState& unit = c.active_unit();
-  c.dirty |= kDirtyUnits | kDirtyRaster;
   if (target == GL_POINT_SPRITE_OES) {
+    c.dirty |= kDirtyRaster;
     unit.coord_replace = p.boolean();
     return;
   }
+  c.dirty |= kDirtyUnits;
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
     unit.lod_bias = p.number();
     return;

@@ -21,10 +21,15 @@
 namespace clearpipe::pipeline {
 
 // Tiles that hold one value throughout, written down instead of stored: a cleared tile costs no
-// memory traffic until it is drawn to (merge/). Buffers over the same memory share them.
+// memory traffic until it is drawn to (merge/). Of others some bits may be known: depth can be
+// cleared alone where all stencil values are the same. Buffers over the same memory share them.
 struct UniformTiles {
-  std::vector<uint8_t> is_uniform;  // by tile, row-major; one plane's tiles after another's
+  // By tile, row-major; one plane's tiles after another's: the bits that all pixels share with
+  // `value`. If that is all of them, the memory holds anything.
+  std::vector<uint32_t> bits;
   std::vector<uint32_t> value;
+
+  bool is_uniform(size_t tile) const { return bits[tile] == 0xffffffffu; }
 };
 
 // The multisample buffer that coexists with a colour buffer (3.2.1): a plane for each sample. It is

@@ -25,15 +25,12 @@ bool covers_tile(const ClearCommand& clear, const Target& target, const Tile& ti
          (clear.rect.y1 >= tile.y + kTileHeight || clear.rect.y1 >= target.height);
 }
 
-// A clear of one plane of a tile. What replaces it as a whole is only noted.
+// A clear of one plane of a tile. What leaves it with one value is only noted.
 void clear_tile_plane(const ClearCommand& clear, bool whole, const Tile& tile, uint32_t value,
                       uint32_t mask, TilePlane& plane) {
   if (mask == 0) return;
-  if (whole && mask == 0xffffffffu) {
-    plane.set_uniform(value);
-  } else {
-    clear_plane(clear, tile, plane.change(), value, mask);
-  }
+  if (whole && plane.set_bits(value, mask)) return;
+  clear_plane(clear, tile, plane.change(whole ? 0 : mask), value, mask);
 }
 
 void clear_planes(const ClearCommand& clear, const Target& target, TilePlanes& planes,

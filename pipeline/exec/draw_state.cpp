@@ -67,7 +67,7 @@ void CurrentState::set_raster_state(const RasterState& state) {
 void CurrentState::set_fragment_state(const FragmentState& state) {
   copy_fragment_state(state, fragment_);
   program_ = nullptr;
-  forget_draws();
+  known_.fill(false);
 }
 
 void CurrentState::reset() {
@@ -152,6 +152,14 @@ void CurrentState::record_vertices(Arena& arena) {
     clip_.viewport = now;
     clip_.guard = make_guard_band(now);
   }
+}
+
+const DrawState* CurrentState::find(Primitive primitive, Arena& arena) {
+  MadeDrawStates& made = program().draw_states();
+  if (made.generation != generation_) made = {generation_, {}};
+  const DrawState*& state = made.of_kind[kind_of(primitive)];
+  if (state == nullptr) state = make(primitive, arena);
+  return state;
 }
 
 const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {

@@ -1,8 +1,8 @@
 // The state of a frame as it changes from draw to draw, and what draws take of it.
 //
 // What a draw needs is worked out when one is recorded after a change, and shared by all that
-// follow until the next. A change that vertices do not see leaves them in their group: a vertex job
-// takes the vertices of many draws (front.cpp).
+// follow until the next, and by those that come back to a fragment state. A change that vertices do
+// not see leaves them in their group: a vertex job takes the vertices of many draws (front.cpp).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -28,10 +28,10 @@ class CurrentState {
   const DrawState* of(Primitive primitive, Arena& arena) {
     const size_t kind = kind_of(primitive);
     if (!known_[kind]) {
-      made_[kind] = make(primitive, arena);
+      drawn_[kind] = find(primitive, arena);
       known_[kind] = true;
     }
-    return made_[kind];
+    return drawn_[kind];
   }
 
   const VertexState* vertices(Arena& arena) {
@@ -53,9 +53,13 @@ class CurrentState {
     return primitive == Primitive::kPoints ? 0 : primitive <= Primitive::kLineStrip ? 1 : 2;
   }
 
-  void forget_draws() { known_.fill(false); }
+  void forget_draws() {
+    known_.fill(false);
+    ++generation_;
+  }
   void forget_vertices();
   void record_vertices(Arena& arena);
+  const DrawState* find(Primitive primitive, Arena& arena);
   const DrawState* make(Primitive primitive, Arena& arena);
   FragmentCoverage coverage_of(Primitive primitive) const;
   ProgramHolder& program();
@@ -76,8 +80,9 @@ class CurrentState {
   uint32_t attributes_ = 0;
   ClipState clip_;
 
-  std::array<bool, 3> known_{};  // by kind: what was made holds
-  std::array<const DrawState*, 3> made_{};
+  uint64_t generation_ = 1;      // of all that draw states are made from but fragment_
+  std::array<bool, 3> known_{};  // by kind: the state of the last draw holds
+  std::array<const DrawState*, 3> drawn_{};
 };
 
 }  // namespace clearpipe::pipeline

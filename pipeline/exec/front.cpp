@@ -1,5 +1,7 @@
 // The front phase of a packet: elements -> vertex records -> primitives -> clip -> setup -> bins.
 // SPDX-License-Identifier: MIT
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -138,6 +140,7 @@ class FrontWorker {
     const VertexState* matrices = draw.vertex;
     if (run_count_ == 0 || runs_[run_count_ - 1].matrices != matrices) {
       ++generation_;
+      hwy::Prefetch(matrices);  // for the vertex job
       runs_[run_count_++] = {matrices, 0};
     }
     const uint32_t listed = element_count_;

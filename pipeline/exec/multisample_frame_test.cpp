@@ -291,7 +291,7 @@ uint32_t stored_sample(const ColourBuffer& buffer, int x, int y, int sample) {
   const size_t place =
       sample * tile_count(kWidth, kHeight) * kTilePixels + place_in_tiles(kWidth, x, y);
   const size_t tile = place / kTilePixels;
-  return uniform.is_uniform[tile] != 0 ? uniform.value[tile] : buffer.samples->values[place];
+  return uniform.is_uniform(tile) ? uniform.value[tile] : buffer.samples->values[place];
 }
 
 TEST(MultisampledFrame, EqualsTheOracle) {

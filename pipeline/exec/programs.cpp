@@ -54,6 +54,7 @@ void ProgramHolder::assign(const FragmentState& state, const FragmentTarget& tar
   copy_fragment_state(state, state_);
   target_ = target;
   made_.fill(false);
+  draw_states_ = {};
 }
 
 const FragmentProgram* ProgramHolder::program(FragmentCoverage coverage) {

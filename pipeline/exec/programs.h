@@ -15,6 +15,15 @@
 
 namespace clearpipe::pipeline {
 
+struct DrawState;
+
+// The draw states made with the programs of a fragment state, in one generation of all other state
+// (draw_state.h); by kind of primitive, null where there is none.
+struct MadeDrawStates {
+  uint64_t generation = 0;
+  std::array<const DrawState*, 3> of_kind{};
+};
+
 // A fragment state with its programs, made when first drawn with.
 class ProgramHolder {
  public:
@@ -24,6 +33,7 @@ class ProgramHolder {
     return state_ == state && target_ == target;
   }
   const FragmentProgram* program(FragmentCoverage coverage);
+  MadeDrawStates& draw_states() { return draw_states_; }
   void release_images();
 
  private:
@@ -35,6 +45,7 @@ class ProgramHolder {
   FragmentTarget target_;
   std::array<std::unique_ptr<FragmentProgram, Destroy>, kFragmentCoverages> programs_;
   std::array<bool, kFragmentCoverages> made_{};
+  MadeDrawStates draw_states_;
 };
 
 class ProgramTable {

@@ -68,9 +68,7 @@ void copy_client_array(AttributeSource& source, const ElementRange& range, Arena
   if (source.stride == stride) {
     std::memcpy(copy, from, (count - 1) * stride + element);
   } else {
-    for (size_t i = 0; i < count; ++i) {
-      std::memcpy(copy + i * stride, from + i * source.stride, element);
-    }
+    copy_elements(from, source.stride, element, count, stride, copy);
   }
   source.pointer = copy;
   source.stride = stride;

@@ -111,6 +111,25 @@ TEST(SmallDraws, EachWithAMatrixOfItsOwn) {
   }
 }
 
+// What a fragment state was drawn with before is not what it is drawn with after other state
+// changed, nor in the next frame.
+TEST(SmallDraws, FragmentStatesComeBackToOtherState) {
+  Scene scene;
+  for (int frame = 0; frame < 2; ++frame) {
+    for (int i = 0; i < 16; ++i) {
+      scene.fragment.colour_mask = i % 2 == 0 ? 0xf : 0x1;
+      scene.raster.cull = i / 4 % 2 == frame ? CullFace::kNone : CullFace::kFrontAndBack;
+      scene.draw(square(i, false), {1, 0, 1, 1});
+    }
+    scene.frame.finish();
+    for (int i = 0; i < 16; ++i) {
+      const bool drawn = frame == 1 || i / 4 % 2 == 0;
+      const uint32_t colour = i % 2 == 0 ? 0xffff00ffu : 0x000000ffu;
+      EXPECT_EQ(scene.pixel(8 * i + 1, 1), drawn ? colour : 0u) << frame << " " << i;
+    }
+  }
+}
+
 TEST(SmallDraws, EachLitWithANormalMatrixOfItsOwn) {
   Scene scene;
   scene.vertex.lighting = true;

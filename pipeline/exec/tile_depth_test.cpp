@@ -102,7 +102,7 @@ TEST(TileDepth, HiddenLayersAreNotMissed) {
 
 TEST(TileDepth, HidesWhatLiesBehind) {
   std::vector<uint32_t> memory(kTilePixels);
-  UniformTiles uniform{{1}, {1000u << 8}};
+  UniformTiles uniform{{0xffffffffu}, {1000u << 8}};
   TileDepth depth(TilePlane(memory.data(), uniform, 0));
   EXPECT_TRUE(depth.hides(CompareFunc::kLess, {1000, 2000}));
   EXPECT_FALSE(depth.hides(CompareFunc::kLessEqual, {1000, 2000}));
@@ -134,7 +134,7 @@ TEST(TileDepth, MayHideWhereverSomethingIsHidden) {
   std::vector<uint32_t> memory(kTilePixels);
   for (int round = 0; round < 4000; ++round) {
     constexpr uint32_t kSome[] = {0, 1, 500, 0xfffffe, 0xffffff};
-    UniformTiles uniform{{1}, {kSome[random() % 5] << 8}};
+    UniformTiles uniform{{0xffffffffu}, {kSome[random() % 5] << 8}};
     TileDepth depth(TilePlane(memory.data(), uniform, 0));
     if (random() % 2 == 0) depth.cleared(kSome[random() % 5], false);
     DepthRule rule;

@@ -24,10 +24,26 @@ uint8_t code_of(const AttributeSource& source) {
   return static_cast<uint8_t>(type << 5 | size << 2 | (array && source.normalized) << 1 | array);
 }
 
-void copy_elements(const std::byte* from, size_t from_stride, size_t bytes, uint32_t count,
+}  // namespace
+
+uint32_t component_bytes(ComponentType type) {
+  switch (type) {
+    case ComponentType::kByte:
+    case ComponentType::kUnsignedByte:
+      return 1;
+    case ComponentType::kShort:
+      return 2;
+    case ComponentType::kFixed:
+    case ComponentType::kFloat:
+      return 4;
+  }
+  return 4;
+}
+
+void copy_elements(const std::byte* from, size_t from_stride, size_t bytes, size_t count,
                    size_t to_stride, std::byte* to) {
   const auto copy = [&](auto size) {
-    for (uint32_t i = 0; i < count; ++i, from += from_stride, to += to_stride) {
+    for (size_t i = 0; i < count; ++i, from += from_stride, to += to_stride) {
       std::memcpy(to, from, size);
     }
   };
@@ -44,22 +60,6 @@ void copy_elements(const std::byte* from, size_t from_stride, size_t bytes, uint
     default:
       return copy(bytes);
   }
-}
-
-}  // namespace
-
-uint32_t component_bytes(ComponentType type) {
-  switch (type) {
-    case ComponentType::kByte:
-    case ComponentType::kUnsignedByte:
-      return 1;
-    case ComponentType::kShort:
-      return 2;
-    case ComponentType::kFixed:
-    case ComponentType::kFloat:
-      return 4;
-  }
-  return 4;
 }
 
 VertexStream::VertexStream(const StreamFormat& format, const DrawCommand& command)

@@ -30,6 +30,10 @@ inline constexpr int kStreamAttributes = 8;
 // Bytes of a component of that type.
 uint32_t component_bytes(ComponentType type);
 
+// Copies elements of `bytes` bytes from places `from_stride` apart to places `to_stride` apart.
+void copy_elements(const std::byte* from, size_t from_stride, size_t bytes, size_t count,
+                   size_t to_stride, std::byte* to);
+
 class VertexStream {
  public:
   VertexStream() = default;

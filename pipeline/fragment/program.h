@@ -104,7 +104,8 @@ struct FragmentOutputs {
   bool colour = false;    // writes colour
   bool solid = false;     // and it is that of the primitive, for all of its pixels
   bool replaces = false;  // every covered pixel gets a colour that does not depend on what it had
-  bool depth_stencil_read = false, depth_stencil_write = false;
+  bool depth_stencil_read = false;
+  uint32_t depth_stencil_write = 0;  // the bits of values that may change
 };
 FragmentOutputs fragment_outputs(const FragmentProgram& program);
 

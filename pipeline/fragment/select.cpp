@@ -206,7 +206,8 @@ FragmentOutputs fragment_outputs(const FragmentProgram& program) {
   FragmentOutputs outputs;
   outputs.colour = program.colour_mask != 0;
   outputs.depth_stencil_read = program.depth_test || stencil;
-  outputs.depth_stencil_write = program.depth_write || stencil;
+  const uint32_t depth_bits = program.depth_bits == 32 ? 0xffffffffu : 0xffffff00u;
+  outputs.depth_stencil_write = (program.depth_write ? depth_bits : 0) | (stencil ? 0xffu : 0);
   outputs.replaces = program.colour_mask == 0xffffffffu && !outputs.depth_stencil_read &&
                      !discards && !program.blend.enabled && !program.has_logic_op;
   outputs.solid = outputs.replaces && !program.srgb && program.inputs.texture_units == 0 &&

@@ -25,7 +25,7 @@ std::shared_ptr<uint32_t[]> allocate_tiles(size_t count) {
 
 UniformTiles all_uniform(size_t count, uint32_t value) {
   UniformTiles tiles;
-  tiles.is_uniform.resize(count, 1);
+  tiles.bits.resize(count, 0xffffffffu);
   tiles.value.resize(count, value);
   return tiles;
 }
@@ -106,7 +106,7 @@ void read_pixels(const ColourBuffer& buffer, int x, int y, int count, void* out)
     const int part = std::min(kTileWidth - x % kTileWidth, end - x);
     const size_t place = place_in_tiles(buffer.width, x, y);
     const size_t tile = place / kTilePixels;
-    if (buffer.uniform->is_uniform[tile] != 0) {
+    if (buffer.uniform->is_uniform(tile)) {
       uint32_t row[kTileWidth];
       std::fill_n(row, part, buffer.uniform->value[tile]);
       copy(row, part);
@@ -126,11 +126,11 @@ void write_pixels(ColourBuffer& buffer, int x, int y, int count, const uint32_t*
     const int part = std::min(kTileWidth - x % kTileWidth, end - x);
     const size_t place = place_in_tiles(buffer.width, x, y);
     const size_t tile = place / kTilePixels;
-    if (buffer.uniform->is_uniform[tile] != 0) {
+    if (buffer.uniform->is_uniform(tile)) {
       std::fill_n(buffer.pixels.get() + tile * kTilePixels, kTilePixels,
                   buffer.uniform->value[tile]);
-      buffer.uniform->is_uniform[tile] = 0;
     }
+    buffer.uniform->bits[tile] = 0;
     std::copy_n(from, part, buffer.pixels.get() + place);
     from += part;
     x += part;
@@ -161,7 +161,7 @@ void read_tile_rows(void* context, int) {
       const size_t place = place_in_tiles(r.buffer.width, x, y0);
       const size_t tile = place / kTilePixels;
       uint32_t same[kTileWidth];
-      const bool uniform = r.buffer.uniform->is_uniform[tile] != 0;
+      const bool uniform = r.buffer.uniform->is_uniform(tile);
       if (uniform) std::fill_n(same, part, r.buffer.uniform->value[tile]);
       const uint32_t* from = uniform ? same : r.buffer.pixels.get() + place;
       const size_t step = uniform ? 0 : kTileWidth;

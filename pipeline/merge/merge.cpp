@@ -32,6 +32,13 @@ void load_plane(const uint32_t* plane, int width, int height, const Tile& tile, 
   }
 }
 
+// Copies of what there is already: their stores are the widest that the processor has.
+void fill_tile(uint32_t* out, uint32_t value) {
+  size_t filled = kTileWidth;
+  std::fill_n(out, filled, value);
+  for (; filled < kTilePixels; filled *= 2) std::memcpy(out + filled, out, filled * sizeof(value));
+}
+
 void store_plane(const uint32_t* in, const Tile& tile, int width, int height, uint32_t* plane) {
   const Overlap part = overlap(tile, width, height);
   for (int row = 0; row < part.rows; ++row) {
@@ -97,10 +104,9 @@ TilePlane pixels_of(const ColourBuffer& buffer, size_t tile_index, const Tile& t
 
 TilePlane::TilePlane(uint32_t* plane, UniformTiles& uniform, size_t index)
     : out_(plane + index * kTilePixels), uniform_(&uniform), index_(index) {
-  if (uniform.is_uniform[index] != 0) {
-    state_ = State::kUniform;
-    value_ = uniform.value[index];
-  }
+  bits_ = uniform.bits[index];
+  value_ = uniform.value[index];
+  if (is_uniform()) state_ = State::kUniform;
 }
 
 TilePlane::TilePlane(uint32_t* plane, int width, int height, const Tile& tile, uint32_t* out)
@@ -108,21 +114,24 @@ TilePlane::TilePlane(uint32_t* plane, int width, int height, const Tile& tile, u
 
 void TilePlane::take_from_rows(uint32_t* rows, int width, int height, const Tile& tile) {
   state_ = State::kStored;
+  bits_ = 0;
   rows_ = rows;
   width_ = width;
   height_ = height;
   tile_ = &tile;
 }
 
-void TilePlane::set_uniform(uint32_t value) {
-  state_ = State::kUniform;
-  value_ = value;
+bool TilePlane::set_bits(uint32_t value, uint32_t mask) {
+  bits_ |= mask;
+  value_ = (value_ & ~mask) | (value & mask);
   changed_ = true;
+  if (is_uniform()) state_ = State::kUniform;
+  return is_uniform();
 }
 
 void TilePlane::load() {
   if (state_ == State::kUniform) {
-    std::fill_n(out_, kTilePixels, value_);
+    fill_tile(out_, value_);
   } else if (state_ == State::kStored && rows_ != nullptr) {
     load_plane(rows_, width_, height_, *tile_, out_);
   }
@@ -132,7 +141,7 @@ void TilePlane::load() {
 void TilePlane::store() {
   if (!changed_ || out_ == nullptr) return;
   if (uniform_ != nullptr) {
-    uniform_->is_uniform[index_] = state_ == State::kUniform;
+    uniform_->bits[index_] = bits_;
     uniform_->value[index_] = value_;
     return;
   }
@@ -175,10 +184,10 @@ void TilePlanes::prepare(const FragmentOutputs& outputs, bool whole_tile) {
     if (outputs.replaces && whole_tile) {
       colour_[s].overwrite();
     } else if (outputs.colour) {
-      colour_[s].change();
+      colour_[s].change(0xffffffffu);
     }
-    if (outputs.depth_stencil_write) {
-      depth_stencil_[s].change();
+    if (outputs.depth_stencil_write != 0) {
+      depth_stencil_[s].change(outputs.depth_stencil_write);
     } else if (outputs.depth_stencil_read) {
       depth_stencil_[s].load();
     }

@@ -31,24 +31,30 @@ class TilePlane {
   // What the plane is worked on in; null for one that is not there.
   uint32_t* memory() const { return out_; }
 
-  void set_uniform(uint32_t value);
-  bool is_uniform() const { return state_ == State::kUniform; }
+  void set_uniform(uint32_t value) { set_bits(value, 0xffffffffu); }
+  bool is_uniform() const { return bits_ == 0xffffffffu; }
   uint32_t uniform_value() const { return value_; }
   bool changed() const { return changed_; }
 
   // Makes the tile's memory hold the plane, to be read.
   void load();
 
-  // The same, to be written; returns the tile's memory.
-  uint32_t* change() {
+  // The same, to be written; returns the tile's memory. `bits` of pixels may become anything.
+  uint32_t* change(uint32_t bits) {
     load();
+    bits_ &= ~bits;
     changed_ = true;
     return out_;
   }
 
+  // In all pixels the bits of `mask` become those of `value`. Returns whether that is all there is
+  // to do: otherwise they have to be written.
+  bool set_bits(uint32_t value, uint32_t mask);
+
   // The plane is written as a whole: what it held need not be loaded.
   void overwrite() {
     state_ = State::kLoaded;
+    bits_ = 0;
     changed_ = true;
   }
 
@@ -65,7 +71,8 @@ class TilePlane {
   const Tile* tile_ = nullptr;
   State state_ = State::kStored;
   bool changed_ = false;
-  uint32_t value_ = 0;  // in kUniform
+  uint32_t bits_ = 0;  // that all pixels share with value_
+  uint32_t value_ = 0;
 };
 
 // The planes of a tile: colour and depth/stencil of each sample. Of a multisampled target, the mean

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "pipeline/vertex/vertex_batch.h"
 
@@ -36,9 +37,54 @@ HWY_INLINE void gather_components(const AttributeSource& source, const uint32_t*
   }
 }
 
+// Elements of three or four floats: moved as they are, and made lanes of a vector at a time.
+template <int kSize>
+HWY_INLINE void gather_floats(const AttributeSource& source, const uint32_t* elements, size_t count,
+                              Lane* out) {
+  const hn::ScalableTag<float> d;
+  HWY_ALIGN float moved[4 * kVertexBatch];
+  for (size_t i = 0; i < count; ++i) {
+    const size_t element = std::min(elements[i], source.max_index);
+    std::memcpy(moved + 4 * i, source.pointer + element * source.stride, kSize * sizeof(float));
+  }
+  for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+    hn::Vec<decltype(d)> x, y, z, w;
+    hn::LoadInterleaved4(d, moved + 4 * i, x, y, z, w);
+    hn::Store(x, d, out[0] + i);
+    hn::Store(y, d, out[1] + i);
+    hn::Store(z, d, out[2] + i);
+    if (kSize == 4) hn::Store(w, d, out[3] + i);
+  }
+}
+
+// The same of four bytes.
+HWY_INLINE void gather_bytes(const AttributeSource& source, const uint32_t* elements, size_t count,
+                             Lane* out) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  HWY_ALIGN int32_t moved[kVertexBatch];
+  for (size_t i = 0; i < count; ++i) {
+    const size_t element = std::min(elements[i], source.max_index);
+    std::memcpy(moved + i, source.pointer + element * source.stride, sizeof(moved[i]));
+  }
+  for (int c = 0; c < 4; ++c) {
+    for (size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const auto bytes = hn::ShiftRightSame(hn::Load(di, moved + i), 8 * c);
+      hn::Store(hn::ConvertTo(d, hn::And(bytes, hn::Set(di, 0xff))), d, out[c] + i);
+    }
+  }
+}
+
 template <typename T>
 void gather_sized(const AttributeSource& source, const uint32_t* elements, size_t count,
                   Lane* out) {
+  if constexpr (std::is_same_v<T, float>) {
+    if (source.size == 3) return gather_floats<3>(source, elements, count, out);
+    if (source.size == 4) return gather_floats<4>(source, elements, count, out);
+  }
+  if constexpr (std::is_same_v<T, uint8_t>) {
+    if (source.size == 4) return gather_bytes(source, elements, count, out);
+  }
   switch (source.size) {
     case 1:
       return gather_components<T, 1>(source, elements, count, out);

@@ -34,6 +34,7 @@ HWY_INLINE void test_clip_volume(const Lane* clip, const GuardBand& guard, size_
   const hn::RebindToUnsigned<decltype(d)> du;
   using V = hn::Vec<decltype(d)>;
   const auto zero = hn::Zero(d);
+  constexpr uint32_t kAll = 2 * kOutcodeGuard - 1;
   const auto largest = hn::Set(d, std::numeric_limits<float>::max());
   for (size_t i = 0; i < count; i += hn::Lanes(d)) {
     const V x = hn::Load(d, clip[0] + i);
@@ -41,17 +42,17 @@ HWY_INLINE void test_clip_volume(const Lane* clip, const GuardBand& guard, size_
     const V z = hn::Load(d, clip[2] + i);
     const V w = hn::Load(d, clip[3] + i);
     const V minus_w = hn::Neg(w);
-    auto code = hn::Zero(du);
-    const auto add_unless = [&](auto inside, uint32_t bit) HWY_ATTR {
-      const auto outside = hn::Not(hn::MaskFromVec(hn::BitCast(d, hn::VecFromMask(d, inside))));
-      code = hn::Or(code, hn::And(hn::BitCast(du, hn::VecFromMask(d, outside)), hn::Set(du, bit)));
+    auto inside_of = hn::Zero(du);
+    const auto note = [&](auto inside, uint32_t bit) HWY_ATTR {
+      inside_of =
+          hn::Or(inside_of, hn::IfThenElseZero(hn::RebindMask(du, inside), hn::Set(du, bit)));
     };
-    add_unless(hn::Ge(x, minus_w), kOutcodeLeft);
-    add_unless(hn::Le(x, w), kOutcodeRight);
-    add_unless(hn::Ge(y, minus_w), kOutcodeBottom);
-    add_unless(hn::Le(y, w), kOutcodeTop);
-    add_unless(hn::Ge(z, minus_w), kOutcodeNear);
-    add_unless(hn::Le(z, w), kOutcodeFar);
+    note(hn::Ge(x, minus_w), kOutcodeLeft);
+    note(hn::Le(x, w), kOutcodeRight);
+    note(hn::Ge(y, minus_w), kOutcodeBottom);
+    note(hn::Le(y, w), kOutcodeTop);
+    note(hn::Ge(z, minus_w), kOutcodeNear);
+    note(hn::Le(z, w), kOutcodeFar);
     const auto in_x = hn::And(hn::Ge(x, hn::Mul(hn::Set(d, guard.x_min), w)),
                               hn::Le(x, hn::Mul(hn::Set(d, guard.x_max), w)));
     const auto in_y = hn::And(hn::Ge(y, hn::Mul(hn::Set(d, guard.y_min), w)),
@@ -59,7 +60,8 @@ HWY_INLINE void test_clip_volume(const Lane* clip, const GuardBand& guard, size_
     const auto finite_xy = hn::And(hn::Le(hn::Abs(x), largest), hn::Le(hn::Abs(y), largest));
     const auto finite_zw = hn::And(hn::Le(hn::Abs(z), largest), hn::Le(w, largest));
     const auto finite = hn::And(finite_xy, hn::And(finite_zw, hn::Gt(w, zero)));
-    add_unless(hn::And(finite, hn::And(in_x, in_y)), kOutcodeGuard);
+    note(hn::And(finite, hn::And(in_x, in_y)), kOutcodeGuard);
+    const auto code = hn::AndNot(inside_of, hn::Set(du, kAll));
     hn::Store(hn::BitCast(d, code), d, outcode + i);
   }
 }
