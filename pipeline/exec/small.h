@@ -38,7 +38,7 @@ struct SmallKernels {
 // flush(), which must precede anything else that is done to the tile.
 class SmallShader {
  public:
-  static constexpr size_t kBatchBytes = 32 * 1024;
+  static constexpr size_t kBatchBytes = 112 * 1024;
 
   // Takes entries of a packet: as many from the first on, which has to be of a small primitive, as
   // are of small primitives of draws with one program. Returns how many that are.

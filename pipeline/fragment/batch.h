@@ -1,5 +1,6 @@
 // The batch of fragments that the chain's stages work on, one after another, in structure-of-arrays
-// form: small enough to stay in the first-level cache, with every array a whole number of vectors.
+// form, every array a whole number of vectors. Its size is no power of two, or the arrays would lie
+// in the same sets of the cache.
 //
 // Colours are signed 16-bit fixed point with 13 fraction bits (kColourOne is 1.0), so intermediate
 // results of combiners keep a range of [-4, 4). The conversion from and to 8 bits is exact.
@@ -14,7 +15,7 @@
 
 namespace clearpipe::pipeline {
 
-inline constexpr int kBatchSize = 128;
+inline constexpr int kBatchSize = 448;
 
 // An 8-bit colour component as the nearest fixed-point value.
 constexpr int16_t colour_from_unorm8(int v) {

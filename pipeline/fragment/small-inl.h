@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 
 #include "pipeline/fragment/small.h"
 #include "pipeline/fragment/small_group-inl.h"
@@ -44,7 +45,9 @@ class SmallBatch {
     batch_.count = 0;
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program.inputs.texture_units >> unit & 1) == 0) continue;
-      needs_lod_ |= program.unit[unit].sample.needs_lod;
+      const UnitProgram& u = program.unit[unit];
+      needs_lod_ |= u.sample.needs_lod;
+      std::construct_at(&environment_[unit], bind_environment(u.combiner, u.constant, batch_));
     }
   }
 
@@ -363,6 +366,9 @@ class SmallBatch {
         case FragmentStage::sample_texture:
           sample(step.unit);
           break;
+        case FragmentStage::texture_environment:
+          run_environment(environment_[step.unit], 0, batch_.count, batch_.previous);
+          break;
         case FragmentStage::fog:
           mix_with_fog();
           break;
@@ -444,6 +450,7 @@ class SmallBatch {
   alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes
   alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
   UnitCoordinates coordinates_[kSmallUnits];
+  BoundEnvironment environment_[kSmallUnits];
   FragmentBatch batch_;
 };
 

@@ -153,6 +153,7 @@ class SmallGroup {
   // more, and none of what it takes to list a few of them depends on their number.
   HWY_INLINE void list_pixels(uint64_t mask, int count, int lane) {
     constexpr int kFew = 12;
+    if (count == kSmallSide * kSmallSide) return list_square(lane);
     if (count > kFew) return list_rows(mask, lane);
     const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
     for (int i = listed_; i < listed_ + count; i += 4) {
@@ -162,6 +163,15 @@ class SmallGroup {
         mask &= mask - 1;
       }
       std::memcpy(lane_ + i, &lanes, sizeof(lanes));
+    }
+  }
+
+  // The same of a mask that is full.
+  HWY_INLINE void list_square(int lane) {
+    const hn::CappedTag<uint8_t, 64> d;
+    for (int i = 0; i < kSmallSide * kSmallSide; i += static_cast<int>(hn::Lanes(d))) {
+      hn::StoreU(hn::Iota(d, static_cast<uint8_t>(i)), d, pixel_ + listed_ + i);
+      hn::StoreU(hn::Set(d, static_cast<uint8_t>(lane)), d, lane_ + listed_ + i);
     }
   }
 

@@ -124,7 +124,7 @@ inline void truncate(const StageContext& context, FragmentBatch& batch, int) {
 
 inline void run_stage(const StageContext& context, const ChainStep& step, FragmentBatch& batch) {
   using StageFunction = void (*)(const StageContext&, FragmentBatch&, int);
-  constexpr StageFunction kStages[] = {
+  static constexpr StageFunction kStages[] = {
 #define FRAGMENT_STAGE(name) &stage::name,
 #include "pipeline/fragment/stages.def"
 #undef FRAGMENT_STAGE

@@ -20,9 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // An argument of a combiner for one channel: a batch array or a constant, perhaps one minus it.
 struct CombinerInput {
-  const int16_t* values = nullptr;  // null: the constant
-  int16_t constant = 0;
-  bool complement = false;
+  const int16_t* values;  // null: the constant
+  int16_t constant;
+  bool complement;
 
   template <class D>
   HWY_INLINE hn::Vec<D> load(D d, int i) const {
@@ -36,24 +36,18 @@ inline CombinerInput combiner_input(const CombineArgument& argument, int channel
   const bool alpha = argument.operand == CombineOperand::kAlpha ||
                      argument.operand == CombineOperand::kOneMinusAlpha;
   const int from = alpha ? 3 : channel;
-  CombinerInput input;
-  input.complement = argument.operand == CombineOperand::kOneMinusColour ||
-                     argument.operand == CombineOperand::kOneMinusAlpha;
+  const bool complement = argument.operand == CombineOperand::kOneMinusColour ||
+                          argument.operand == CombineOperand::kOneMinusAlpha;
   switch (argument.source) {
     case CombineSource::kConstant:
-      input.constant = constant[from];
-      break;
+      return {nullptr, constant[from], complement};
     case CombineSource::kPrimaryColour:
-      input.values = batch.primary[from];
-      break;
+      return {batch.primary[from], 0, complement};
     case CombineSource::kPrevious:
-      input.values = batch.previous[from];
-      break;
+      return {batch.previous[from], 0, complement};
     default:
-      input.values = batch.texture[static_cast<int>(argument.source)][from];
-      break;
+      return {batch.texture[static_cast<int>(argument.source)][from], 0, complement};
   }
-  return input;
 }
 
 // Arg - 1/2.
