@@ -1,5 +1,6 @@
 // Vertex arrays (2.8) and buffer objects (2.9).
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 
 #include "api/exec.h"
@@ -124,7 +125,11 @@ GLboolean is_buffer(Context& c, GLuint name) { return c.share->buffers.find(name
 
 void buffer_data(Context& c, GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   auto store = std::make_shared<pipeline::BufferData>(static_cast<size_t>(size));
-  if (data && size != 0) std::memcpy(store->data(), data, static_cast<size_t>(size));
+  if (data && size != 0) {
+    std::memcpy(store->data(), data, store->size());
+  } else {
+    std::fill(store->begin(), store->end(), std::byte{0});
+  }
   BufferObject& buffer = *binding(c, target);
   buffer.data = std::move(store);
   ++c.share->buffers_version;

@@ -3,9 +3,11 @@
 // See model.h.
 #include "bench/model.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <string_view>
 
 #include "bench/extras.h"
 #include "bench/shapes.h"
@@ -16,9 +18,32 @@ namespace {
 
 const std::string kFolder = "/usr/share/glmark2/";
 
-void add_numbers(std::istringstream& line, int count, std::vector<GLfloat>& list) {
+// What is left of a line, word by word; streams take most of a start with a large model.
+class Words {
+ public:
+  explicit Words(std::string_view line) : rest_(line) {}
+
+  std::string_view next() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r"), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r"));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  // False where there is no number left.
+  template <class T>
+  bool next(T& number) {
+    const std::string_view word = next();
+    return std::from_chars(word.data(), word.data() + word.size(), number).ec == std::errc();
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+void add_numbers(Words& line, int count, std::vector<GLfloat>& list) {
   GLfloat value = 0;
-  for (int i = 0; i < count && line >> value; ++i) list.push_back(value);
+  for (int i = 0; i < count && line.next(value); ++i) list.push_back(value);
 }
 
 // Each vertex gets the sum of its faces' normals, which are as long as the faces are large.
@@ -51,15 +76,14 @@ Model read_model(const std::string& name) {
   if (!file) fail("opening a model of the package glmark2-data");
   Model model;
   for (std::string text; std::getline(file, text);) {
-    std::istringstream line(text);
-    std::string kind;
-    line >> kind;
+    Words line(text);
+    const std::string_view kind = line.next();
     if (kind == "v") add_numbers(line, 3, model.positions);
     if (kind == "vn") add_numbers(line, 3, model.normals);
     if (kind == "vt") add_numbers(line, 2, model.coordinates);
     if (kind == "vc") add_numbers(line, 3, model.colours);
     GLuint corner = 0;
-    while ((kind == "f" || kind == "i") && line >> corner) {
+    while ((kind == "f" || kind == "i") && line.next(corner)) {
       model.indices.push_back(kind == "f" ? corner - 1 : corner);
     }
   }

@@ -11,12 +11,14 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/image_memory.h"
 #include "pipeline/state.h"
 
 namespace clearpipe::pipeline {
 
-// The data store of a buffer object. Replaced, never changed, while a frame holds it.
-using BufferData = std::vector<std::byte>;
+// The data store of a buffer object. Replaced, never changed, while a frame holds it. One that is
+// made by its size has no values yet.
+using BufferData = std::vector<std::byte, ImageAllocator<std::byte>>;
 using BufferRef = std::shared_ptr<BufferData>;
 
 enum class Primitive : uint8_t {

@@ -7,10 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "pipeline/image_memory.h"
 
 namespace clearpipe::pipeline {
 
@@ -26,7 +27,7 @@ class Arena {
       used_ = 0;
     }
     if (block_ == blocks_.size()) {
-      add_block(std::max(bytes, kBlockSize));
+      add_block(bytes);
     }
     std::byte* result = blocks_[block_].memory.get() + used_;
     used_ += bytes;
@@ -46,28 +47,30 @@ class Arena {
   }
 
  private:
-  static constexpr size_t kBlockSize = size_t{256} << 10;
+  static constexpr size_t kLeastBlock = size_t{256} << 10, kMostBlock = size_t{2} << 20;
 
   struct Free {
-    void operator()(std::byte* p) const { ::operator delete[](p, std::align_val_t{kAlignment}); }
+    size_t size = 0;
+    void operator()(std::byte* p) const { free_memory(p, size); }
   };
   struct Block {
     std::unique_ptr<std::byte[], Free> memory;
     size_t size = 0;
   };
 
-  void add_block(size_t size) {
-    Block block;
-    block.memory.reset(
-        static_cast<std::byte*>(::operator new[](size, std::align_val_t{kAlignment})));
-    block.size = size;
+  // Together twice as large each time, until a block is a huge page (image_memory.h).
+  void add_block(size_t bytes) {
+    const size_t size = std::max(bytes, std::clamp(total_, kLeastBlock, kMostBlock));
+    Block block{{static_cast<std::byte*>(allocate_memory(size)), Free{size}}, size};
     blocks_.push_back(std::move(block));
+    total_ += size;
     used_ = 0;
   }
 
   std::vector<Block> blocks_;
   size_t block_ = 0;  // the block in use
   size_t used_ = 0;   // bytes used in it
+  size_t total_ = 0;  // bytes of all blocks
 };
 
 }  // namespace clearpipe::pipeline
