@@ -203,6 +203,7 @@ int run(const Options& options) {
 }  // namespace bench
 
 int main(int argc, char** argv) {
+  bench::note_process_start(argv);
   const bench::Options options = bench::parse(argc, argv);
   if (options.list) {
     bench::list_scenes();

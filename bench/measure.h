@@ -17,9 +17,14 @@ Usage usage_so_far();
 // ru_maxrss of a child still counts the parent that it was forked from.
 long peak_memory();
 
-// Seconds of the monotonic clock; of the moment before the process was started, if who started it
-// has said so in BENCH_START_NS, else of the first call.
+// Seconds of the monotonic clock.
 double now();
+
+// With BENCH_NOTE_START in the environment the program takes the time and executes itself anew:
+// what starts a process - a Python program, which copies itself first - takes as long as a first
+// frame.
+void note_process_start(char** arguments);
+// That moment, or of the first call.
 double process_start();
 
 struct Times {

@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <type_traits>
 
@@ -50,6 +51,9 @@ class FusedTextures {
   }
 
   bool are_simple() const { return simple_; }
+  bool have_pixels() const {
+    return std::all_of(unit_, unit_ + count_, [](const FusedUnit& u) { return u.has_pixels(); });
+  }
 
   // Samples halves of a row; w is that of its pixels.
   HWY_INLINE void sample(int row, Halves halves, const float* w) {
@@ -77,32 +81,27 @@ class FusedTextures {
     }
   }
 
-  // Environments of any kind, of a row: primary colours go in first, a group at a time.
-  HWY_INLINE void put_primary(int group, const Colour16& colour) {
+  // Environments of any kind, of a strip of rows: first a sampled group of each row after another,
+  // with its primary colours, goes to a place in the strip.
+  HWY_INLINE void put(int place, int group, const Colour16& primary) {
     const Tag16 d;
-    for (int c = 0; c < 4; ++c) {
-      hn::Store(colour.channel[c], d, batch_.primary[c] + group * kGroup);
-      hn::Store(colour.channel[c], d, batch_.previous[c] + group * kGroup);
-    }
+    const auto put_colour = [&](const Colour16& colour, int16_t(*to)[kBatchSize]) HWY_ATTR {
+      for (int c = 0; c < 4; ++c) hn::Store(colour.channel[c], d, to[c] + place * kGroup);
+    };
+    put_colour(primary, batch_.primary);
+    put_colour(primary, batch_.previous);
+    for (int i = 0; i < count_; ++i) put_colour(unit_[i].colour(group), batch_.texture[number_[i]]);
   }
-  HWY_NOINLINE void apply_row(int first_group, int end_group) {
-    const Tag16 d;
+  HWY_NOINLINE void combine(int first_place, int end_place) {
     for (int i = 0; i < count_; ++i) {
-      for (int group = first_group; group < end_group; ++group) {
-        const Colour16 texture = unit_[i].colour(group);
-        for (int c = 0; c < 4; ++c) {
-          hn::Store(texture.channel[c], d, batch_.texture[number_[i]][c] + group * kGroup);
-        }
-      }
+      run_environment(environment_[i], first_place * kGroup, end_place * kGroup, batch_.previous);
     }
-    const int first = first_group * kGroup, end = end_group * kGroup;
-    for (int i = 0; i < count_; ++i) run_environment(environment_[i], first, end, batch_.previous);
   }
-  HWY_INLINE Colour16 result(int group) const {
+  HWY_INLINE Colour16 result(int place) const {
     const Tag16 d;
     Colour16 colour;
     for (int c = 0; c < 4; ++c) {
-      colour.channel[c] = hn::Load(d, batch_.previous[c] + group * kGroup);
+      colour.channel[c] = hn::Load(d, batch_.previous[c] + place * kGroup);
     }
     return colour;
   }
@@ -239,24 +238,50 @@ class FusedLoop {
         return;
       }
     }
-    for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
-      if constexpr (kTextured) {
-        sample_row(row, covered);
-        if (!textures_.are_simple()) combine_row(row, covered);
+    if constexpr (kTextured) {
+      if (!textures_.are_simple()) {
+        shade_combined(coverage);
+        return;
       }
-      uint64_t written = 0;
-      for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
-        written |= shade_group(row, group, group_bits(covered, group)) << (group * kGroup);
-      });
-      if (!opaque_ && p_.colour_mask != 0) write_row(row, written);
+    }
+    for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
+      if constexpr (kTextured) sample_row(row, covered, w_);
+      shade_row(row, covered, w_, 0);
     });
+  }
+
+  // Environments that are not simple: a few rows at once, since they are calls for each channel.
+  void shade_combined(const Coverage& coverage) {
+    constexpr int kStrip = kBatchSize / kTileWidth < 4 ? kBatchSize / kTileWidth : 4;
+    alignas(64) float w[kStrip][kTileWidth];
+    const int rows = textures_.have_pixels() ? kStrip : 1;  // the chain's samplers need the batch
+    for (int first = coverage.first_row; first < coverage.last_row; first += rows) {
+      const int count = std::min(rows, coverage.last_row - first);
+      uint32_t places = 0;
+      for (int i = 0; i < count; ++i) {
+        const uint64_t covered = coverage.rows[first + i];
+        if (covered == 0) continue;
+        sample_row(first + i, covered, w[i]);
+        for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+          const Pair<VecF> group_w = needs_w_ ? load_w(w[i], group) : Pair<VecF>{};
+          textures_.put(i * kRowGroups + group, group, primary_colour(first + i, group, group_w));
+        });
+        places |= groups_of(covered) << (i * kRowGroups);
+      }
+      if (places == 0) continue;
+      textures_.combine(std::countr_zero(places), 32 - std::countl_zero(places));
+      for (int i = 0; i < count; ++i) {
+        const uint64_t covered = coverage.rows[first + i];
+        if (covered != 0) shade_row(first + i, covered, w[i], i * kRowGroups);
+      }
+    }
   }
 
   // Texels that are the colours.
   void shade_texels(const Coverage& coverage, uint32_t bits) {
     const TagU d;
     for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
-      sample_row(row, covered);
+      sample_row(row, covered, w_);
       for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
         Pair<VecU> pixels = textures_.texels(group);
         pixels = {hn::Or(pixels.lower, hn::Set(d, bits)), hn::Or(pixels.upper, hn::Set(d, bits))};
@@ -311,33 +336,38 @@ class FusedLoop {
     return {plane.at(row, group * kGroup), plane.at(row, group * kGroup + kLanes)};
   }
 
-  HWY_INLINE void sample_row(int row, uint64_t covered) {
+  HWY_INLINE void sample_row(int row, uint64_t covered, float* row_w) {
     const TagF d;
     if (needs_w_) {
       for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
         const Pair<VecF> w = reciprocal(at(inv_w_, row, group));
-        hn::Store(w.lower, d, w_ + group * kGroup);
-        hn::Store(w.upper, d, w_ + group * kGroup + kLanes);
+        hn::Store(w.lower, d, row_w + group * kGroup);
+        hn::Store(w.upper, d, row_w + group * kGroup + kLanes);
       });
     }
-    textures_.sample(row, halves_of(covered), w_);
+    textures_.sample(row, halves_of(covered), row_w);
+  }
+  static HWY_INLINE Pair<VecF> load_w(const float* row_w, int group) {
+    const TagF d;
+    return {hn::Load(d, row_w + group * kGroup), hn::Load(d, row_w + group * kGroup + kLanes)};
   }
 
-  HWY_INLINE void combine_row(int row, uint64_t covered) {
-    const uint32_t groups = groups_of(covered);
-    const int first = std::countr_zero(groups), end = 32 - std::countl_zero(groups);
-    for (int group = first; group < end; ++group) {
-      const Pair<VecF> w = needs_w_ ? group_w(row, group) : Pair<VecF>{};
-      textures_.put_primary(group, primary_colour(row, group, w));
-    }
-    textures_.apply_row(first, end);
+  // A row that is sampled. `place` is that of its first group in a strip of combined rows.
+  HWY_INLINE void shade_row(int row, uint64_t covered, const float* w, int place) {
+    uint64_t written = 0;
+    for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+      written |= shade_group(row, group, group_bits(covered, group), w, place + group)
+                 << (group * kGroup);
+    });
+    if (!opaque_ && p_.colour_mask != 0) write_row(row, written);
   }
 
   // Pixels that replace what is stored go there, others to the row's colours. Returns which pixels
   // are written: the alpha test comes before those of depth and stencil (4.1.4).
-  HWY_INLINE uint64_t shade_group(int row, int group, uint64_t bits) {
+  HWY_INLINE uint64_t shade_group(int row, int group, uint64_t bits, const float* row_w,
+                                  int place) {
     Pair<VecF> w{};
-    if (needs_w_) w = group_w(row, group);
+    if (needs_w_) w = kTextured ? load_w(row_w, group) : reciprocal(at(inv_w_, row, group));
     Colour16 colour;
     if constexpr (!kTextured) {
       colour = primary_colour(row, group, w);
@@ -345,7 +375,7 @@ class FusedLoop {
       colour = primary_colour(row, group, w);
       textures_.apply(group, colour);
     } else {
-      colour = textures_.result(group);
+      colour = textures_.result(place);
     }
     if (p_.fog_mode != FogMode::kNone) apply_fog(row, group, w, colour);
     Vec16 bytes[4];
@@ -369,15 +399,6 @@ class FusedLoop {
     if (!p_.alpha_test) return bits;
     const TagI d;
     return bits_of_mask(d, live.lower) | bits_of_mask(d, live.upper) << kLanes;
-  }
-
-  HWY_INLINE Pair<VecF> group_w(int row, int group) const {
-    const TagF d;
-    if constexpr (kTextured) {
-      return {hn::Load(d, w_ + group * kGroup), hn::Load(d, w_ + group * kGroup + kLanes)};
-    } else {
-      return reciprocal(at(inv_w_, row, group));
-    }
   }
 
   // Both tests of half a group; returns which fragments are left.

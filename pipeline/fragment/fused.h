@@ -1,10 +1,9 @@
 // The fused form of a fragment program: loops over the rows of the coverage, with values in
 // registers. They call the same stage functions as the chain and give the same bits.
 //
-// The tests come first, then the colours, then what is not simply replaced (fused-inl.h). One form is
-// compiled without textures and one with any number of them; samplers and blendings of fused.def are
-// functions over a row.
-// SPDX-License-Identifier: MIT
+// The tests come first, then the colours, then what is not simply replaced (fused-inl.h). One form
+// is compiled without textures and one with any number of them; samplers and blendings of fused.def
+// are functions over a row. SPDX-License-Identifier: MIT
 #pragma once
 
 #include "pipeline/fragment/chain.h"
