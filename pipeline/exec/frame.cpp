@@ -12,6 +12,7 @@
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
 #include "pipeline/exec/shared_vertices.h"
+#include "pipeline/exec/shares.h"
 #include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
@@ -38,7 +39,7 @@ struct Frame::Impl {
   TileWork tile_work;
   std::vector<FrontWorkerPtr> front_workers;
   std::vector<std::unique_ptr<BackWorker>> back_workers;
-  std::atomic<size_t> next_chunk{0}, next_packet{0}, next_tile{0};
+  Shares chunks, packet_shares, tiles;
   std::atomic<uint32_t> chunks_done{0}, packets_done{0}, tiles_ready{0};
   std::atomic<bool> failed{false};
 
@@ -125,26 +126,20 @@ struct Frame::Impl {
     failed = true;
   }
 
-  void run_chunks() {
-    const size_t count = shared_vertices.chunk_count();
+  void run_chunks(size_t worker) {
     uint32_t done = 0;
-    for (size_t i = next_chunk.fetch_add(1); i < count; i = next_chunk.fetch_add(1)) {
-      shared_vertices.run(draws, i);
-      ++done;
-    }
-    const uint32_t total = static_cast<uint32_t>(count);
+    for (size_t i = 0; chunks.take(worker, i); ++done) shared_vertices.run(draws, i);
+    const uint32_t total = static_cast<uint32_t>(shared_vertices.chunk_count());
     if (done != 0 && chunks_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
       chunks_done.notify_all();
     }
   }
 
-  void run_packets(int worker) {
+  void run_packets(size_t worker) {
     uint32_t done = 0;
-    for (size_t i = next_packet.fetch_add(1); i < packet_count; i = next_packet.fetch_add(1)) {
-      if (!packets[i]->is_clear) {
-        unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
-      }
-      ++done;
+    for (size_t i = 0; packet_shares.take(worker, i); ++done) {
+      if (packets[i]->is_clear) continue;
+      unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
     }
     const uint32_t total = static_cast<uint32_t>(packet_count);
     if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
@@ -154,19 +149,19 @@ struct Frame::Impl {
     }
   }
 
-  void run_tiles(int worker) {
+  void run_tiles(size_t worker) {
     if (failed) return;
-    const size_t count = static_cast<size_t>(grid.count());
-    for (size_t i = next_tile.fetch_add(1); i < count; i = next_tile.fetch_add(1)) {
+    for (size_t i = 0; tiles.take(worker, i);) {
       run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
                *back_workers[worker]);
     }
   }
 
   // All phases, so that a worker wakes up once a frame.
-  static void task(void* context, int worker) {
+  static void task(void* context, int number) {
     Impl& frame = *static_cast<Impl*>(context);
-    frame.run_chunks();
+    const auto worker = static_cast<size_t>(number);
+    frame.run_chunks(worker);
     wait_until(frame.chunks_done, static_cast<uint32_t>(frame.shared_vertices.chunk_count()));
     frame.run_packets(worker);
     wait_until(frame.tiles_ready, 1);
@@ -198,23 +193,26 @@ struct Frame::Impl {
   }
 
   void execute() {
-    next_chunk = next_packet = next_tile = 0;
     chunks_done = packets_done = tiles_ready = 0;
     failed = false;
     make_workers(1);
     shared_vertices.prepare(draws, arena);
+    const auto workers = static_cast<size_t>(worker_count());
+    chunks.divide(shared_vertices.chunk_count(), workers);
+    packet_shares.divide(packet_count, workers);
+    tiles.divide(static_cast<size_t>(grid.count()), workers);
     // A packet is built by one worker anyway.
     const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
     const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
     if (std::count_if(packets.begin(), end, is_draw) <= 1) {
-      run_chunks();
+      run_chunks(0);
       run_packets(0);
       if (is_little()) {
         run_tiles(0);
         return check();
       }
     }
-    make_workers(static_cast<size_t>(worker_count()));
+    make_workers(workers);
     run_on_workers(&task, this);
     check();
   }
