@@ -62,6 +62,7 @@ class SplitPlane {
   // Whether all values of some rows are in [low, high]. Rounding keeps order, so that the least
   // value and the greatest are at corners of the tile.
   bool lies_within(int first_row, int last_row, float low, float high) const {
+    if (first_row >= last_row) return true;
     const auto inside = [&](int row, int column) {
       const float value = row_[row] + column_[column];
       return value >= low && value <= high;
