@@ -28,8 +28,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 #if HWY_TARGET != HWY_SCALAR
 
 // The texture units of a program: all are sampled, then their environments follow one another
-// (3.7.12, 3.7.13). Environments that are not simple go through the chain's, on a batch of one
-// group.
+// (3.7.12, 3.7.13). Environments that are not simple go through the chain's, on a batch of a few
+// rows.
 class FusedTextures {
  public:
   void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
@@ -237,8 +237,6 @@ class FusedLoop {
         shade_texels(coverage, texel_bits);
         return;
       }
-    }
-    if constexpr (kTextured) {
       if (!textures_.are_simple()) {
         shade_combined(coverage);
         return;

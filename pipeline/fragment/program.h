@@ -2,7 +2,7 @@
 // primitive it runs on, and the call that runs it over the coverage of a tile.
 //
 // A program is chosen once per state change (fragment/select.cpp): a chain of stages that runs any
-// state, or a fused loop compiled for a state that fused.def lists. Both give the same bits.
+// state, or the fused form, which is quicker and runs most of them. Both give the same bits.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -8,24 +8,11 @@
 #include <random>
 #include <vector>
 
+#include "pipeline/exec/vertex_stream.h"
 #include "pipeline/vertex/vertex_test_kernels.h"
 
 namespace clearpipe::pipeline {
 namespace {
-
-int component_bytes(ComponentType type) {
-  switch (type) {
-    case ComponentType::kByte:
-    case ComponentType::kUnsignedByte:
-      return 1;
-    case ComponentType::kShort:
-      return 2;
-    case ComponentType::kFixed:
-    case ComponentType::kFloat:
-      return 4;
-  }
-  return 0;
-}
 
 template <typename T>
 T read(const std::byte* address) {
@@ -68,7 +55,7 @@ TEST(VertexFetch, EveryTypeSizeAndNormalisation) {
         source.type = type;
         source.size = static_cast<uint8_t>(size);
         source.normalized = (variant & 1) != 0;
-        const uint32_t packed = static_cast<uint32_t>(size * component_bytes(type));
+        const uint32_t packed = static_cast<uint32_t>(size) * component_bytes(type);
         source.stride = (variant & 2) != 0 ? packed + 3 : packed;
         source.max_index = kElements - 1;
         source.constant = {7, 7, 7, 7};
@@ -93,7 +80,8 @@ TEST(VertexFetch, EveryTypeSizeAndNormalisation) {
               float expected = c == 3 ? 1.0f : 0.0f;
               if (c < size) {
                 expected = static_cast<float>(expected_component(
-                    source, source.pointer + e * source.stride + c * component_bytes(type)));
+                    source, source.pointer + e * source.stride +
+                                static_cast<uint32_t>(c) * component_bytes(type)));
               }
               ASSERT_EQ(out[c][i], expected)
                   << name << " type " << static_cast<int>(type) << " size " << size << " variant "
