@@ -20,13 +20,6 @@ constexpr float kPi = 3.14159265358979f;
 
 // What scenes are made of is made quickly, as its time is part of that to the first frame: sines
 // and cosines once for each row and column.
-std::vector<GLubyte> noise_texels(uint32_t seed, int size) {
-  Noise noise(seed);
-  std::vector<GLubyte> texels(size_t(size) * size_t(size) * 4);
-  for (GLubyte& value : texels) value = GLubyte(noise.bits() >> 16);
-  return texels;
-}
-
 std::vector<GLubyte> smooth_texels(int size) {
   const float step = 2 * kPi / float(size);
   std::vector<float> along_x, along_y;  // of each component
@@ -66,17 +59,30 @@ std::vector<GLubyte> halved(const std::vector<GLubyte>& texels, int size) {
 }
 
 void add_grid_indices(Mesh& mesh, int columns, int rows) {
-  mesh.indices.reserve(size_t(columns) * size_t(rows) * 6);
+  mesh.indices.resize(size_t(columns) * size_t(rows) * 6);
+  GLuint* next = mesh.indices.data();
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
       const GLuint corner = GLuint(y * (columns + 1) + x), above = corner + GLuint(columns + 1);
-      mesh.indices.insert(mesh.indices.end(),
-                          {corner, corner + 1, above, corner + 1, above + 1, above});
+      for (const GLuint index : {corner, corner + 1, above, corner + 1, above + 1, above}) {
+        *next++ = index;
+      }
     }
   }
 }
 
 }  // namespace
+
+std::vector<GLubyte> noise_bytes(uint32_t seed, size_t count) {
+  Noise noise(seed);
+  std::vector<GLubyte> bytes(count);
+  for (size_t i = 0; i + 1 < count; i += 2) {
+    const uint32_t bits = noise.bits();
+    bytes[i] = GLubyte(bits >> 16);
+    bytes[i + 1] = GLubyte(bits >> 8);
+  }
+  return bytes;
+}
 
 void fail(const char* what) {
   std::fprintf(stderr, "scenes: %s failed (EGL error 0x%04x)\n", what, unsigned(eglGetError()));
@@ -129,7 +135,8 @@ GLuint use_noise_texture(uint32_t seed, const TextureOptions& options) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, options.wrap);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, options.wrap);
   std::vector<GLubyte> texels =
-      options.smooth ? smooth_texels(options.size) : noise_texels(seed, options.size);
+      options.smooth ? smooth_texels(options.size)
+                     : noise_bytes(seed, size_t(options.size) * size_t(options.size) * 4);
   for (int size = options.size, level = 0;; size /= 2, ++level) {
     glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  texels.data());

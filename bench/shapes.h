@@ -6,6 +6,7 @@
 #include <EGL/egl.h>
 #include <GLES/gl.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,9 @@ class Noise {
  private:
   uint32_t state_;
 };
+
+// An even number of such bytes.
+std::vector<GLubyte> noise_bytes(uint32_t seed, size_t count);
 
 // glFrustumf with a vertical angle of view in degrees, and the modelview matrix made current.
 void set_perspective(int width, int height, float degrees, float near, float far);

@@ -51,6 +51,7 @@ std::vector<GLfloat> places;
 double set_up_same_state(const View& view) {
   const int columns = int(std::ceil(std::sqrt(float(view.amount))));
   const float step = 2 / float(columns), size = 0.7f * step;
+  places.reserve(size_t(view.amount) * 12);
   for (int i = 0; i < view.amount; ++i) {
     const float x = -1 + step * (0.15f + float(i % columns));
     const float y = -1 + step * (0.15f + float(i / columns));

@@ -92,6 +92,8 @@ double set_up_skinned(const View& view) {
   find_function("glWeightPointerOES", glWeightPointerOES);
   find_function("glCurrentPaletteMatrixOES", glCurrentPaletteMatrixOES);
   find_function("glLoadPaletteFromModelViewMatrixOES", glLoadPaletteFromModelViewMatrixOES);
+  bones.reserve(mesh.vertices.size() * 2);
+  weights.reserve(mesh.vertices.size() * 2);
   for (const MeshVertex& vertex : mesh.vertices) {
     const float place = (vertex.position[0] + 1) / 2 * (kBones - 1);
     const int bone = std::min(int(place), kBones - 2);
@@ -159,6 +161,7 @@ std::vector<MeshVertex> unshared;
 
 double set_up_client_memory(const View& view) {
   const double triangles = set_up_unlit(view);
+  unshared.reserve(mesh.indices.size());
   for (const GLuint index : mesh.indices) unshared.push_back(mesh.vertices[index]);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);

@@ -18,6 +18,8 @@ std::vector<GLubyte> colours;
 
 void scatter(int count) {
   Noise noise(7);
+  positions.reserve(size_t(count) * 3);
+  colours.reserve(size_t(count) * 4);
   for (int i = 0; i < count; ++i) {
     for (int axis = 0; axis < 3; ++axis) positions.push_back(noise.between(-0.98f, 0.98f));
     for (int c = 0; c < 4; ++c) colours.push_back(GLubyte(noise.bits() >> 16));

@@ -20,10 +20,10 @@ std::vector<GLubyte> pixels;
 
 // The texture's texels come from memory that differs from frame to frame.
 double set_up_upload(const View&) {
-  use_noise_texture(1, {.size = kTextureSize});
-  Noise noise(4);
-  pixels.resize(size_t(kTextureSize) * kTextureSize * 4 + 16 * 64);
-  for (GLubyte& value : pixels) value = GLubyte(noise.bits() >> 16);
+  use_noise_texture(1, {.size = 1});
+  pixels = noise_bytes(4, size_t(kTextureSize) * kTextureSize * 4 + 16 * 64);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, kTextureSize, kTextureSize, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               nullptr);
   use_corner_coordinates(0, 1, false);
   return double(kTextureSize) * kTextureSize;
 }

@@ -57,7 +57,8 @@ void Bins::reset(const TileGrid& grid, BinScratch& scratch) {
   grid_ = grid;
   scratch_ = &scratch;
   scratch.reset(grid);
-  lists_.clear();
+  lists_ = {};
+  sorted_ = {};
 }
 
 void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
@@ -109,18 +110,23 @@ void Bins::add_across(const SmallPrimitive& primitive, uint32_t index) {
   }
 }
 
-void Bins::close() {
+void Bins::close(Arena& arena) {
+  std::vector<List>& lists = scratch_->lists_;
   uint32_t first = 0;
-  for (List& list : lists_) {
+  for (List& list : lists) {
     list.first = first;
     first += list.count;
   }
-  sorted_.resize(scratch_->entries_.size());
+  uint32_t* const sorted = arena.allocate_array<uint32_t>(first);
+  sorted_ = {sorted, first};
   // Each entry goes to its list's next place; afterwards every `first` has moved to the end.
   for (const BinScratch::Entry& entry : scratch_->entries_) {
-    sorted_[lists_[entry.list].first++] = entry.primitive;
+    sorted[lists[entry.list].first++] = entry.primitive;
   }
-  for (List& list : lists_) list.first -= list.count;
+  for (List& list : lists) list.first -= list.count;
+  List* const kept = arena.allocate_array<List>(lists.size());
+  std::copy(lists.begin(), lists.end(), kept);
+  lists_ = {kept, lists.size()};
   scratch_ = nullptr;
 }
 

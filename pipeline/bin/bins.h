@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/exec/arena.h"
 #include "pipeline/setup/primitive.h"
 #include "pipeline/setup/small.h"
 
@@ -23,6 +24,11 @@ struct TileGrid {
 
 TileGrid make_tile_grid(int width, int height);
 
+// A tile and its part of a packet's primitives.
+struct BinList {
+  uint32_t tile, first, count;
+};
+
 // What a worker needs to sort a packet's primitives by tile; used for one packet after another.
 class BinScratch {
  public:
@@ -34,6 +40,7 @@ class BinScratch {
       generation_ = 1;
     }
     entries_.clear();
+    lists_.clear();
   }
 
  private:
@@ -51,14 +58,12 @@ class BinScratch {
   uint32_t generation_ = 0;
   std::vector<Tile> tiles_;
   std::vector<Entry> entries_;  // in submission order
+  std::vector<BinList> lists_;
 };
 
 class Bins {
  public:
-  // A tile and its part of the primitives.
-  struct List {
-    uint32_t tile, first, count;
-  };
+  using List = BinList;
 
   // Starts without lists. `scratch` is used until close().
   void reset(const TileGrid& grid, BinScratch& scratch);
@@ -76,13 +81,13 @@ class Bins {
     }
   }
 
-  // Sorts what was noted by tile; add() must not follow.
-  void close();
+  // Sorts what was noted by tile into memory of the arena; add() must not follow.
+  void close(Arena& arena);
 
   // The tiles that are touched, in no particular order, and the primitives that touch one.
   std::span<const List> lists() const { return lists_; }
   std::span<const uint32_t> primitives(const List& list) const {
-    return {sorted_.data() + list.first, list.count};
+    return sorted_.subspan(list.first, list.count);
   }
 
  private:
@@ -92,17 +97,17 @@ class Bins {
     const uint32_t number = static_cast<uint32_t>(row * grid_.columns + column);
     BinScratch::Tile& tile = scratch_->tiles_[number];
     if (tile.generation != scratch_->generation_) {
-      tile = {scratch_->generation_, static_cast<uint32_t>(lists_.size())};
-      lists_.push_back({number, 0, 0});
+      tile = {scratch_->generation_, static_cast<uint32_t>(scratch_->lists_.size())};
+      scratch_->lists_.push_back({number, 0, 0});
     }
     scratch_->entries_.push_back({tile.list, index});
-    ++lists_[tile.list].count;
+    ++scratch_->lists_[tile.list].count;
   }
 
   TileGrid grid_;
   BinScratch* scratch_ = nullptr;
-  std::vector<List> lists_;
-  std::vector<uint32_t> sorted_;
+  std::span<const List> lists_;
+  std::span<const uint32_t> sorted_;
 };
 
 }  // namespace clearpipe::pipeline

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/bin/bins.h"
+#include "pipeline/image_memory.h"
 
 namespace clearpipe::pipeline {
 
@@ -53,7 +54,7 @@ class TileLists {
 
  private:
   std::vector<uint32_t> start_;  // per tile, its first place in references_; one more at the end
-  std::vector<Reference> references_;
+  std::vector<Reference, ImageAllocator<Reference>> references_;
 };
 
 }  // namespace clearpipe::pipeline

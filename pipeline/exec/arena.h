@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
+#include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -40,6 +43,12 @@ class Arena {
     return static_cast<T*>(allocate(count * sizeof(T)));
   }
 
+  // What was allocated last ends at `end` already.
+  void give_back(const void* end) {
+    used_ = static_cast<size_t>(static_cast<const std::byte*>(end) - blocks_[block_].memory.get());
+    used_ = (used_ + kAlignment - 1) & ~(kAlignment - 1);
+  }
+
   // Forgets everything; keeps the memory.
   void reset() {
     block_ = 0;
@@ -47,7 +56,7 @@ class Arena {
   }
 
  private:
-  static constexpr size_t kLeastBlock = size_t{256} << 10, kMostBlock = size_t{2} << 20;
+  static constexpr size_t kFirstBlock = size_t{256} << 10, kOtherBlocks = size_t{2} << 20;
 
   struct Free {
     size_t size = 0;
@@ -58,19 +67,61 @@ class Arena {
     size_t size = 0;
   };
 
-  // Together twice as large each time, until a block is a huge page (image_memory.h).
+  // What a small frame does not fill, then huge pages (image_memory.h): the small pages of one take
+  // several times as long to come by.
   void add_block(size_t bytes) {
-    const size_t size = std::max(bytes, std::clamp(total_, kLeastBlock, kMostBlock));
+    const size_t size = std::max(bytes, blocks_.empty() ? kFirstBlock : kOtherBlocks);
     Block block{{static_cast<std::byte*>(allocate_memory(size)), Free{size}}, size};
     blocks_.push_back(std::move(block));
-    total_ += size;
     used_ = 0;
   }
 
   std::vector<Block> blocks_;
   size_t block_ = 0;  // the block in use
   size_t used_ = 0;   // bytes used in it
-  size_t total_ = 0;  // bytes of all blocks
+};
+
+// Makes lists, one after another, in an arena that nothing else uses: a list grows where it lies.
+template <class T>
+class ArenaLists {
+ public:
+  static_assert(std::is_trivially_copyable_v<T>);
+
+  // Starts a list of perhaps so many elements.
+  void start(size_t expected) {
+    capacity_ = std::max<size_t>(expected, 16);
+    size_ = 0;
+    list_ = arena_.allocate_array<T>(capacity_);
+  }
+
+  size_t size() const { return size_; }
+  T& back() { return list_[size_ - 1]; }
+  void pop_back() { --size_; }
+  T& emplace_back() {
+    if (size_ == capacity_) grow();
+    return *::new (static_cast<void*>(list_ + size_++)) T;
+  }
+  void push_back(const T& element) { emplace_back() = element; }
+
+  // The list, which stays until reset().
+  std::span<const T> finish() {
+    arena_.give_back(list_ + size_);
+    return {list_, size_};
+  }
+
+  void reset() { arena_.reset(); }
+
+ private:
+  void grow() {
+    T* const larger = arena_.allocate_array<T>(2 * capacity_);
+    std::memcpy(static_cast<void*>(larger), list_, size_ * sizeof(T));
+    list_ = larger;
+    capacity_ *= 2;
+  }
+
+  Arena arena_;
+  T* list_ = nullptr;
+  size_t size_ = 0, capacity_ = 0;
 };
 
 }  // namespace clearpipe::pipeline

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "pipeline/bin/bins.h"
@@ -70,17 +71,17 @@ struct Packet {
   ClearCommand clear;
 
   // Filled by the front phase.
-  std::vector<PrimitiveRecord> primitives;
-  std::vector<SmallPrimitive> small;
-  std::vector<const float*> records;  // by range: its vertex records
+  std::span<const PrimitiveRecord> primitives;
+  std::span<const SmallPrimitive> small;
+  std::span<const float* const> records;  // by range: its vertex records
   Bins bins;
 
   void reset() {
     ranges.clear();
     primitive_count = 0;
     is_clear = false;
-    primitives.clear();
-    small.clear();
+    primitives = {};
+    small = {};
   }
 };
 
@@ -98,7 +99,8 @@ inline VertexJob make_vertex_job(const DrawRecord& draw, const uint32_t* element
           clip.layout,  elements,    count,         records};
 }
 
-// Runs the front phase of one packet. `arena` holds the vertex records until the frame is done.
+// Runs the front phase of packets, whose lists and vertex records are the worker's until it is
+// reset.
 class FrontWorker;
 struct FrontWorkerDeleter {
   void operator()(FrontWorker* worker) const;

@@ -84,10 +84,10 @@ class FrontWorker {
  public:
   void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
     packet.bins.reset(grid, bin_scratch_);
-    packet.primitives.clear();
-    packet.small.clear();
-    packet.records.clear();
     const std::vector<PacketRange>& ranges = packet.ranges;
+    primitives_.start(0);
+    small_.start(packet.primitive_count);
+    range_records_.start(ranges.size());
     for (size_t first = 0; first < ranges.size();) {
       const DrawRecord& draw = draws[ranges[first].draw];
       size_t end = first + 1;
@@ -95,10 +95,18 @@ class FrontWorker {
       run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
       first = end;
     }
-    packet.bins.close();
+    packet.bins.close(arena_);
+    packet.primitives = primitives_.finish();
+    packet.small = small_.finish();
+    packet.records = range_records_.finish();
   }
 
-  void reset() { arena_.reset(); }
+  void reset() {
+    arena_.reset();
+    primitives_.reset();
+    small_.reset();
+    range_records_.reset();
+  }
 
  private:
   static constexpr uint32_t kTableSize = 4096;  // a power of two, more than twice kPacketVertices
@@ -201,7 +209,7 @@ class FrontWorker {
       }
       for (; r < end; first += ranges[r++].primitive_count) {
         const DrawState& state = *draws[ranges[r].draw].state;
-        packet.records.push_back(records_);
+        range_records_.push_back(records_);
         for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
           if (fate == LaneFate::kGeneral) {
@@ -229,7 +237,7 @@ class FrontWorker {
       const uint64_t mask = lanes_.mask(i, square);
       if (mask == 0) continue;
       // In its place: a copy of what was just written in pieces would wait for them.
-      SmallPrimitive& small = packet.small.emplace_back();
+      SmallPrimitive& small = small_.emplace_back();
       small.mask = mask;
       small.x = static_cast<int16_t>(lanes_.x[i] + square % kLaneSquares * kSmallSide);
       small.y = static_cast<int16_t>(lanes_.y[i] + square / kLaneSquares * kSmallSide);
@@ -260,10 +268,10 @@ class FrontWorker {
     } else if (setup_primitive(draw.setup, corners, v, record)) {
       if (!draws_small_ || !is_small(record)) {
         add(record, packet);
-      } else if (make_small(record, packet.small.emplace_back())) {
+      } else if (make_small(record, small_.emplace_back())) {
         add_last_small(i, packet);
       } else {
-        packet.small.pop_back();
+        small_.pop_back();
       }
     }
   }
@@ -286,26 +294,30 @@ class FrontWorker {
     }
   }
 
-  void add(PrimitiveRecord& record, Packet& packet) const {
+  void add(PrimitiveRecord& record, Packet& packet) {
     record.narrow = record.narrow && draws_small_;
-    packet.bins.add(record, static_cast<uint32_t>(packet.primitives.size()));
-    packet.primitives.push_back(record);
+    packet.bins.add(record, static_cast<uint32_t>(primitives_.size()));
+    primitives_.push_back(record);
   }
 
   // The last small primitive: primitive i of the job, of the last range whose records the packet
   // has.
-  void add_last_small(uint32_t i, Packet& packet) const {
-    SmallPrimitive& primitive = packet.small.back();
+  void add_last_small(uint32_t i, Packet& packet) {
+    SmallPrimitive& primitive = small_.back();
     static_assert(kPacketPrimitives <= 0x10000, "every range has a primitive");
     for (int k = 0; k < 3; ++k) {
       primitive.vertex[k] = static_cast<uint32_t>(lanes_.corner[k][i]);
     }
-    primitive.range = static_cast<uint16_t>(packet.records.size() - 1);
-    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(packet.small.size() - 1));
+    primitive.range = static_cast<uint16_t>(range_records_.size() - 1);
+    packet.bins.add(primitive, kSmallEntry + static_cast<uint32_t>(small_.size() - 1));
   }
 
   Arena arena_;
   BinScratch bin_scratch_;
+  // The lists of the packet at hand.
+  ArenaLists<PrimitiveRecord> primitives_;
+  ArenaLists<SmallPrimitive> small_;
+  ArenaLists<const float*> range_records_;
   bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
   uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;

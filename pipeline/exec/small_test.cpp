@@ -106,7 +106,9 @@ class Program {
 };
 
 struct Mesh {
-  Packet packet;
+  Packet packet;  // of what follows
+  std::vector<SmallPrimitive> small;
+  std::vector<const float*> range_records;
   std::vector<float> records;
   std::vector<uint32_t> entries;
 };
@@ -139,12 +141,14 @@ Mesh random_mesh(Random& random, const VertexLayout& layout, bool w_changes) {
     }
     // As the lists of tiles have it: what has no pixel in the tile is not named.
     if (small_coverage(p.mask, p.x, p.y, kTileX, kTileY).mask != 0) {
-      mesh.entries.push_back(kSmallEntry + static_cast<uint32_t>(mesh.packet.small.size()));
+      mesh.entries.push_back(kSmallEntry + static_cast<uint32_t>(mesh.small.size()));
     }
-    mesh.packet.small.push_back(p);
+    mesh.small.push_back(p);
   }
   mesh.packet.ranges = {{0, 0, kPrimitives}, {1, 0, kPrimitives}};
-  mesh.packet.records = {mesh.records.data(), mesh.records.data()};
+  mesh.range_records = {mesh.records.data(), mesh.records.data()};
+  mesh.packet.small = mesh.small;
+  mesh.packet.records = mesh.range_records;
   return mesh;
 }
 
@@ -317,7 +321,7 @@ TEST(Small, TakesOneProgramAtATime) {
   }
   Random random(1);
   Mesh mesh = random_mesh(random, states[0].setup.layout, false);
-  mesh.packet.small[mesh.entries[7] & ~kSmallEntry].range = 1;
+  mesh.small[mesh.entries[7] & ~kSmallEntry].range = 1;
   OwnTile tile;
   tile.x = kTileX;
   tile.y = kTileY;

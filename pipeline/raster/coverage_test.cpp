@@ -270,10 +270,11 @@ TEST(Coverage, BinsNameTheTilesThatAreNotMissed) {
     PrimitiveRecord p;
     if (!set_polygon(state, corners, 3, p)) continue;
     BinScratch scratch;
+    Arena arena;
     Bins bins;
     bins.reset(grid, scratch);
     bins.add(p, 0);
-    bins.close();
+    bins.close(arena);
     std::vector<int> named(static_cast<size_t>(grid.count()));
     for (const Bins::List& list : bins.lists()) named[list.tile] = static_cast<int>(list.count);
     for (int row = p.y0 / kTileHeight; row <= (p.y1 - 1) / kTileHeight; ++row) {
