@@ -173,7 +173,8 @@ struct Frame::Impl {
       front_workers.push_back(make_front_worker());
     }
     while (back_workers.size() < count) {
-      back_workers.push_back(std::make_unique<BackWorker>());
+      // Of its memory it touches what it needs.
+      back_workers.push_back(std::make_unique_for_overwrite<BackWorker>());
     }
   }
 

@@ -157,11 +157,11 @@ TilePlanes::TilePlanes(const Target& target, SampleTiles& tiles, int tile_index)
   const size_t plane_tiles = tile_count(target.width, target.height);
   for (int s = 0; s < samples_; ++s) {
     Tile& tile = tiles.tiles[s];
-    TileMemory& memory = tiles.memory[s];
     const size_t index = plane_tiles * s + tile_index_;
     if (const ColourBuffer* to = target.colour.get()) {
       colour_[s] = to->samples ? TilePlane(to->samples->values.get(), to->samples->uniform, index)
-                               : pixels_of(*to, tile_index_, tile, memory.colour);
+                               : pixels_of(*to, tile_index_, tile,
+                                           to->uniform ? nullptr : tiles.memory(s).colour);
       if (samples_discarded()) {
         colour_[s].take_from_rows(to->pixels.get(), to->width, to->height, tile);
       }
@@ -169,8 +169,9 @@ TilePlanes::TilePlanes(const Target& target, SampleTiles& tiles, int tile_index)
     if (const DepthStencilBuffer* to = target.depth_stencil.get()) {
       depth_stencil_[s] = TilePlane(to->values.get(), *to->uniform, index);
     }
-    tile.colour = target.colour ? colour_[s].memory() : memory.colour;
-    tile.depth_stencil = target.depth_stencil ? depth_stencil_[s].memory() : memory.depth_stencil;
+    tile.colour = target.colour ? colour_[s].memory() : tiles.memory(s).colour;
+    tile.depth_stencil =
+        target.depth_stencil ? depth_stencil_[s].memory() : tiles.memory(s).depth_stencil;
   }
 }
 

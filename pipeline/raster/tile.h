@@ -6,7 +6,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "pipeline/raster/samples.h"
 
@@ -30,11 +32,20 @@ struct TileMemory {
   alignas(64) uint32_t depth_stencil[kTilePixels];
 };
 
-// The tile of each sample, with memory for planes that the surface does not lay out in tiles. A
-// surface without multisampling uses the first.
+// The tile of each sample, with memory for planes that the surface does not lay out in tiles or
+// does not have. A surface without multisampling uses the first.
 struct SampleTiles {
   std::array<Tile, kSampleCount> tiles;
-  std::array<TileMemory, kSampleCount> memory{};
+
+  // Made when it is asked for: few surfaces need any.
+  TileMemory& memory(int sample) {
+    std::unique_ptr<TileMemory>& memory = memories_[static_cast<size_t>(sample)];
+    if (memory == nullptr) memory = std::make_unique<TileMemory>();
+    return *memory;
+  }
+
+ private:
+  std::array<std::unique_ptr<TileMemory>, kSampleCount> memories_;
 };
 
 // Which pixels of a tile a primitive covers: bit i of rows[j] is pixel (x + i, y + j).
