@@ -7,9 +7,11 @@
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <string_view>
 
@@ -122,34 +124,55 @@ Return enter(const Body& body, const Report& report) noexcept {
 
 namespace {
 
-struct NamedProc {
-  const char* name;
-  Proc proc;
-};
-
-const std::array kProcs = [] {
-  std::array procs{
-#define CALL(type, name, parameters, arguments, validator, executor, group, stages) \
-  NamedProc{"gl" #name, reinterpret_cast<Proc>(gl##name)},
+constexpr const char* kNames[] = {
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages) "gl" #name,
 #include "api/gles1.def"
 #undef CALL
-#define ALIAS(name, command) NamedProc{"gl" #name, reinterpret_cast<Proc>(gl##command)},
+#define ALIAS(name, command) "gl" #name,
 #include "api/gles1_aliases.def"
 #undef ALIAS
-  };
-  std::sort(procs.begin(), procs.end(),
-            [](const NamedProc& a, const NamedProc& b) { return std::strcmp(a.name, b.name) < 0; });
-  return procs;
+};
+
+const Proc kProcs[] = {
+#define CALL(type, name, parameters, arguments, validator, executor, group, stages) \
+  reinterpret_cast<Proc>(gl##name),
+#include "api/gles1.def"
+#undef CALL
+#define ALIAS(name, command) reinterpret_cast<Proc>(gl##command),
+#include "api/gles1_aliases.def"
+#undef ALIAS
+};
+
+// A loader asks for some thousand names when a context is first current, so they are found by a
+// table that the compiler makes: the place of a name is the first free one from its hash on.
+constexpr size_t kSlots = 1024;
+static_assert(2 * std::size(kNames) <= kSlots);
+
+constexpr size_t slot_of(const char* name) {
+  uint32_t hash = 2166136261u;
+  for (; *name != '\0'; ++name) hash = (hash ^ static_cast<uint8_t>(*name)) * 16777619u;
+  return (hash ^ hash >> 16) % kSlots;
+}
+
+constexpr auto kTable = [] {
+  std::array<uint16_t, kSlots> table{};  // 1 + the number of a name; 0: free
+  for (uint16_t i = 0; i < std::size(kNames); ++i) {
+    size_t slot = slot_of(kNames[i]);
+    while (table[slot] != 0) slot = (slot + 1) % kSlots;
+    table[slot] = static_cast<uint16_t>(i + 1);
+  }
+  return table;
 }();
 
 }  // namespace
 
 Proc proc_address(const char* name) noexcept {
   if (!name) return nullptr;
-  const auto found = std::lower_bound(
-      kProcs.begin(), kProcs.end(), name,
-      [](const NamedProc& a, const char* b) { return std::strcmp(a.name, b) < 0; });
-  return found != kProcs.end() && std::strcmp(found->name, name) == 0 ? found->proc : nullptr;
+  for (size_t slot = slot_of(name); kTable[slot] != 0; slot = (slot + 1) % kSlots) {
+    const size_t number = kTable[slot] - size_t{1};
+    if (std::strcmp(kNames[number], name) == 0) return kProcs[number];
+  }
+  return nullptr;
 }
 
 }  // namespace clearpipe::api
