@@ -59,22 +59,6 @@ ElementRange used_elements(const DrawCommand& command) {
   return {};
 }
 
-void copy_client_array(AttributeSource& source, const ElementRange& range, Arena& arena) {
-  const uint32_t element = component_bytes(source.type) * source.size;
-  const uint32_t stride = (element + 3) & ~3u;
-  const size_t count = size_t{range.last - range.first} + 1;
-  auto* copy = static_cast<std::byte*>(arena.allocate(count * stride));
-  const std::byte* from = source.pointer + size_t{range.first} * source.stride;
-  if (source.stride == stride) {
-    std::memcpy(copy, from, (count - 1) * stride + element);
-  } else {
-    copy_elements(from, source.stride, element, count, stride, copy);
-  }
-  source.pointer = copy;
-  source.stride = stride;
-  source.max_index = range.last - range.first;
-}
-
 const std::byte* copy_indices(const DrawCommand& command, Arena& arena) {
   const size_t bytes = size_t{index_bytes(command.index_type)} * command.count;
   auto* copy = static_cast<std::byte*>(arena.allocate(bytes));
@@ -133,12 +117,13 @@ void ArrayRecorder::record(const DrawCommand& command, uint32_t attributes, Aren
   if (client_arrays) {
     const ElementRange range = used_elements(command);
     base = range.first;
+    copies_.start(range.first, range.last);
     for (AttributeSource& source : sources->attributes) {
       if (!source.is_array) {
         continue;
       }
       if (source.buffer == nullptr) {
-        copy_client_array(source, range, arena);
+        copies_.add(source, arena);
       } else if (base <= source.max_index) {
         source.pointer += size_t{base} * source.stride;
         source.max_index -= base;
@@ -148,6 +133,7 @@ void ArrayRecorder::record(const DrawCommand& command, uint32_t attributes, Aren
         source.max_index = 0;
       }
     }
+    copies_.run();
   }
   draw.sources = sources;
   draw.index_base = base;

@@ -7,6 +7,7 @@
 
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/client_copy.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/vertex_stream.h"
 
@@ -32,6 +33,7 @@ class ArrayRecorder {
                     DrawRecord& draw);
 
   VertexStreams streams_;
+  ClientCopies copies_;
   std::vector<BufferRef> buffers_;
 };
 
