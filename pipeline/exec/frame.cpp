@@ -97,6 +97,8 @@ struct Frame::Impl {
       skipped = primitive_count(draw.primitive, draws.back().count);
       draws.back().count += draw.count;
     } else {
+      // By doubling it would touch as much memory again that it leaves.
+      if (draws.size() == draws.capacity()) draws.reserve(std::max<size_t>(256, 4 * draws.size()));
       draws.push_back(draw);
     }
     add_primitives(static_cast<uint32_t>(draws.size() - 1), skipped, count);
