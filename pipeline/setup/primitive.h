@@ -47,6 +47,7 @@ struct PrimitiveRecord {
   bool is_circle = false;
   bool back_facing = false;
   bool narrow = false;  // covers few pixels of a row
+  bool cut = false;     // outside of the box may be pixels that are inside the edges
 };
 
 // The setup of each kind of primitive; false when nothing can be covered. The triangle's third
