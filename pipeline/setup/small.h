@@ -16,7 +16,8 @@ namespace clearpipe::pipeline {
 
 inline constexpr int kSmallSide = 8;
 
-struct SmallPrimitive {
+// None lies across two cache lines.
+struct alignas(32) SmallPrimitive {
   uint64_t mask;  // bit 8 * j + i: pixel (x + i, y + j) is covered
   int16_t x, y;
   uint32_t vertex[3];  // numbers of vertex records in the range; points use one, lines two
