@@ -3,7 +3,6 @@
 #include "pipeline/bin/bins.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "pipeline/raster/coverage.h"
 #include "pipeline/raster/tile.h"
@@ -85,22 +84,10 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
   }
 }
 
-// Where its pixels are is known exactly, and none is outside of the surface. The first are in the
-// tile of its place only if their row and column say so.
-void Bins::add_across(const SmallPrimitive& primitive, uint32_t index) {
-  // Each row's pixels in the lowest one.
-  uint64_t columns = primitive.mask | primitive.mask >> 32;
-  columns |= columns >> 16;
-  columns = (columns | columns >> 8) & 0xff;
-  const int right = static_cast<int>(std::bit_width(columns)) - 1;
-  const int up = (static_cast<int>(std::bit_width(primitive.mask)) - 1) / kSmallSide;
+// The first pixels are in the tile of its place only if their row and column say so.
+void Bins::add_across(const SmallPrimitive& primitive, int last_column, int last_row,
+                      uint32_t index) {
   const int first_column = primitive.x / kTileWidth, first_row = primitive.y / kTileHeight;
-  const int last_column = (primitive.x + right) / kTileWidth;
-  const int last_row = (primitive.y + up) / kTileHeight;
-  if (first_column == last_column && first_row == last_row) {
-    note(first_column, first_row, index);
-    return;
-  }
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
       const SmallCoverage coverage = small_coverage(primitive.mask, primitive.x, primitive.y,

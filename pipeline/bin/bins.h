@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -71,13 +72,15 @@ class Bins {
   // Notes `index`, the number of `primitive` in its packet, in every tile it may touch.
   void add(const PrimitiveRecord& primitive, uint32_t index);
   void add(const SmallPrimitive& primitive, uint32_t index) {
-    constexpr int kReach = kSmallSide - 1;
+    // Where its pixels are is known exactly, and none is outside of the surface. Most are in one
+    // tile; that their square is in one, too, would often be wrong.
+    const int right = primitive.x + last_column(primitive.mask);
+    const int up = primitive.y + last_row(primitive.mask);
     const int column = primitive.x / kTileWidth, row = primitive.y / kTileHeight;
-    if (primitive.x % kTileWidth + kReach < kTileWidth &&
-        primitive.y % kTileHeight + kReach < kTileHeight) {
+    if (right / kTileWidth == column && up / kTileHeight == row) {
       note(column, row, index);
     } else {
-      add_across(primitive, index);
+      add_across(primitive, right / kTileWidth, up / kTileHeight, index);
     }
   }
 
@@ -91,7 +94,20 @@ class Bins {
   }
 
  private:
-  void add_across(const SmallPrimitive& primitive, uint32_t index);
+  // Of the pixels of a mask.
+  static int last_column(uint64_t mask) {
+    // Each row's pixels in the lowest one.
+    uint64_t columns = mask | mask >> 32;
+    columns |= columns >> 16;
+    columns = (columns | columns >> 8) & 0xff;
+    return static_cast<int>(std::bit_width(columns)) - 1;
+  }
+  static int last_row(uint64_t mask) {
+    return (static_cast<int>(std::bit_width(mask)) - 1) / kSmallSide;
+  }
+
+  // One whose last pixels are in the tiles of that column and row.
+  void add_across(const SmallPrimitive& primitive, int last_column, int last_row, uint32_t index);
 
   void note(int column, int row, uint32_t index) {
     const uint32_t number = static_cast<uint32_t>(row * grid_.columns + column);

@@ -67,9 +67,10 @@ const float* intersect(const ClipState& state, const float* p, const float* q, f
     std::swap(p_distance, q_distance);
   }
   const float t = -p_distance / (q_distance - p_distance);
-  float* vertex = new_vertex(state, arena);
-  for (int i = 0; i < state.layout.stride; ++i) {
-    vertex[i] = p[i] + t * (q[i] - p[i]);
+  float* __restrict vertex = new_vertex(state, arena);
+  const int stride = state.layout.stride;
+  for (int first = 0; first < stride; first += 4) {
+    for (int i = first; i < first + 4; ++i) vertex[i] = p[i] + t * (q[i] - p[i]);
   }
   std::memset(vertex + vertex_record::kOutcode, 0, sizeof(float));
   project_vertex(vertex, state.viewport);

@@ -214,6 +214,8 @@ class FrontWorker {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
           if (fate == LaneFate::kGeneral) {
             emit_corners(state, ranges[r].draw, corners, i, packet);
+          } else if (fate == LaneFate::kSnapped || fate == LaneFate::kSnappedOther) {
+            emit_line(state, ranges[r].draw, fate == LaneFate::kSnapped, i, packet);
           } else if (fate != LaneFate::kNothing) {
             emit_settled(state.setup, kind, fate, i, packet);
           }
@@ -266,13 +268,21 @@ class FrontWorker {
     if (any != 0) {
       clip(draw, corners, v, any, record, packet);
     } else if (setup_primitive(draw.setup, corners, v, record)) {
-      if (!draws_small_ || !is_small(record)) {
-        add(record, packet);
-      } else if (make_small(record, small_.emplace_back())) {
-        add_last_small(i, packet);
-      } else {
-        small_.pop_back();
-      }
+      add_large_or_small(record, i, packet);
+    }
+  }
+
+  // A line whose corners are known from setup in lanes.
+  void emit_line(const DrawState& draw, uint32_t draw_index, bool x_major, uint32_t i,
+                 Packet& packet) {
+    const ptrdiff_t stride = draw.clip.layout.stride;
+    SnappedPoint corners[4];
+    for (int k = 0; k < 4; ++k) corners[k] = {lanes_.snapped_x[k][i], lanes_.snapped_y[k][i]};
+    PrimitiveRecord record;
+    record.draw = draw_index;
+    if (setup_snapped_line(draw.setup, records_ + lanes_.corner[0][i] * stride,
+                           records_ + lanes_.corner[1][i] * stride, x_major, corners, record)) {
+      add_large_or_small(record, i, packet);
     }
   }
 
@@ -291,6 +301,16 @@ class FrontWorker {
     } else if (corners == 2 && clip_line(draw.clip, v, outcodes, arena_) &&
                setup_line(draw.setup, v[0], v[1], record)) {
       add(record, packet);
+    }
+  }
+
+  void add_large_or_small(PrimitiveRecord& record, uint32_t i, Packet& packet) {
+    if (!draws_small_ || !is_small(record)) {
+      add(record, packet);
+    } else if (make_small(record, small_.emplace_back())) {
+      add_last_small(i, packet);
+    } else {
+      small_.pop_back();
     }
   }
 

@@ -55,8 +55,10 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
     const float* const vertex[3] = {records + primitive.vertex[0] * stride,
                                     records + primitive.vertex[1] * stride,
                                     records + primitive.vertex[2] * stride};
+    const SmallCoverage coverage =
+        small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
     batch.add(primitive.kind, primitive.back_facing, primitive.size, vertex,
-              small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y));
+              std::span<const SmallCoverage, 1>(&coverage, 1));
   }
   return taken;
 }
@@ -65,10 +67,8 @@ void add_squares(std::byte* memory, const SetupState& state, const PrimitiveReco
                  const CoveredSquares& squares) {
   SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
   batch.set_state(state);
-  for (int i = 0; i < squares.count; ++i) {
-    batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
-              squares.square[i]);
-  }
+  batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
+            std::span(squares.square).first(static_cast<size_t>(squares.count)));
 }
 
 void flush(std::byte* memory) { std::launder(reinterpret_cast<SmallBatch*>(memory))->flush(); }

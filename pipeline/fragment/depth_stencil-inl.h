@@ -45,6 +45,18 @@ struct NarrowDepthState : DepthState {
   static constexpr bool whole = false;
 };
 
+// What is known to the compiler of the states that programs mostly have.
+template <CompareFunc kFunc, bool kInside>
+struct KnownDepthState {
+  static constexpr bool test = true, whole = false, inside = kInside;
+  static constexpr CompareFunc func = kFunc;
+  bool write;
+  float most;
+};
+struct NoStencilState : StencilState {
+  static constexpr bool enabled = false;
+};
+
 // The same as 32 bits, with the highest inverted. A depth has 24 significant bits, so those below
 // 1/2 are exact or rounded as products, and what lies above 1/2 is exact.
 template <class D, class V = hn::Vec<D>>

@@ -21,18 +21,6 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What is known to the compiler of the states that programs mostly have.
-template <CompareFunc kFunc, bool kInside>
-struct KnownDepthState {
-  static constexpr bool test = true, whole = false, inside = kInside;
-  static constexpr CompareFunc func = kFunc;
-  bool write;
-  float most;
-};
-struct NoStencilState : StencilState {
-  static constexpr bool enabled = false;
-};
-
 // Lanes of a row mask as a mask of vectors, and back.
 template <class D>
 HWY_INLINE hn::Mask<D> mask_of_bits(D d, uint64_t bits) {

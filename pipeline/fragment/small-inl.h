@@ -24,6 +24,8 @@
 #include <bit>
 #include <cstring>
 #include <memory>
+#include <span>
+#include <type_traits>
 
 #include "pipeline/fragment/small.h"
 #include "pipeline/fragment/small_group-inl.h"
@@ -58,25 +60,33 @@ class SmallBatch {
   }
 
   // Takes the pixels of a primitive whose vertex records stay where they are until flush().
+  template <size_t kSquares>
   HWY_INLINE void add(PrimitiveKind kind, bool back_facing, float size, const float* const* vertex,
-                      const SmallCoverage& coverage) {
-    const int count = std::popcount(coverage.mask);
-    if (batch_.count + group_.pixels() + count > kRoom) {
-      end_group();
-      if (batch_.count + count > kRoom) flush();
-    }
-    if (!group_.takes(kind)) end_group();
-    if (!pending_.note(coverage)) {
-      if (in_order_) {
-        end_group();
-      } else {
-        flush();
-      }
-      pending_.note(coverage);
-    }
+                      std::span<const SmallCoverage, kSquares> squares) {
     const int colour_offset = back_facing && state_->two_sided ? state_->layout.back_colour_offset
                                                                : vertex_record::kColour;
-    group_.add(kind, colour_offset, size, vertex, coverage, count);
+    bool has_lane = false;
+    for (const SmallCoverage& coverage : squares) {
+      const int count = std::popcount(coverage.mask);
+      if (batch_.count + group_.pixels() + count > kRoom) {
+        end_group();
+        if (batch_.count + count > kRoom) flush();
+      }
+      if (!has_lane && !group_.takes(kind)) end_group();
+      if (!pending_.note(coverage)) {
+        if (in_order_) {
+          end_group();
+        } else {
+          flush();
+        }
+        pending_.note(coverage);
+      }
+      if (!has_lane || group_.is_empty()) {
+        group_.add(kind, colour_offset, size, vertex);
+        has_lane = true;
+      }
+      group_.list(coverage, count);
+    }
   }
 
   // Shades what was added.
@@ -137,7 +147,7 @@ class SmallBatch {
     const TagI di;
     const VecF half = hn::Set(d, 0.5f);
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
-    const int count = program_.early_depth ? list_nearer(planes, to_x, to_y) : list_all();
+    const int count = program_.early_depth ? list_what_passes(planes, to_x, to_y) : list_all();
     for (int i = 0; i < count; i += kLanes) {
       const int at = batch_.count + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
@@ -176,15 +186,31 @@ class SmallBatch {
     const TagI d;
     const int count = group_.pixels();
     for (int i = 0; i < count; i += kLanes) {
-      const VecI lane = group_.lanes(i);
-      hn::Store(lane, d, lane_of_ + i);
-      hn::StoreU(group_.offsets(FragmentPlanes(lane), i), d, offset_ + batch_.count + i);
+      hn::Store(group_.lanes(i), d, lane_of_ + i);
+      hn::StoreU(group_.offsets(i), d, offset_ + batch_.count + i);
     }
     return count;
   }
 
   // The same of what passes the depth test, which is done at once: a group has a pixel once.
-  HWY_INLINE int list_nearer(const LanePlanes& planes, VecF to_x, VecF to_y) {
+  HWY_INLINE int list_what_passes(const LanePlanes& planes, VecF to_x, VecF to_y) {
+    const DepthState& depth = depth_state_;
+    const auto list = [&](auto func) HWY_ATTR {
+      return list_what_passes(KnownDepthState<func(), false>{depth.write, depth.most}, planes, to_x,
+                              to_y);
+    };
+    switch (depth.func) {
+      case CompareFunc::kLess:
+        return list(std::integral_constant<CompareFunc, CompareFunc::kLess>());
+      case CompareFunc::kLessEqual:
+        return list(std::integral_constant<CompareFunc, CompareFunc::kLessEqual>());
+      default:
+        return list_what_passes(depth_state_, planes, to_x, to_y);
+    }
+  }
+  template <class State>
+  HWY_INLINE int list_what_passes(const State& depth, const LanePlanes& planes, VecF to_x,
+                                  VecF to_y) {
     const TagF d;
     const TagI di;
     const auto* stored = reinterpret_cast<const int32_t*>(tile_.depth_stencil);
@@ -194,22 +220,22 @@ class SmallBatch {
       const auto listed = hn::FirstN(di, static_cast<size_t>(group_.pixels() - i));
       const VecI lane = group_.lanes(i);
       const FragmentPlanes of(lane);
-      const VecI offset = hn::IfThenElseZero(listed, group_.offsets(of, i));
+      const VecI offset = hn::IfThenElseZero(listed, group_.offsets(i));
       const Places p = places_of(offset, of(to_x), of(to_y));
       const VecF z = evaluate(d, of(planes.depth), p.x, p.y);
       VecI packed = hn::GatherIndex(di, stored, offset);
-      const auto passes = depth_stencil_test(di, StencilState(), depth_state_, listed,
-                                             to_depth_value(d, depth_state_, z), packed);
+      const auto passes = depth_stencil_test(di, NoStencilState(), depth, listed,
+                                             to_depth_value(d, depth, z), packed);
       const LanesInFront in_front(passes);
       hn::StoreU(in_front(offset), di, kept + count);
       hn::StoreU(in_front(lane), di, lane_of_ + count);
       hn::StoreU(in_front(packed), di, depth_of_ + count);
       count += in_front.count();
     }
-    if (depth_state_.write) {
-      for (int i = 0; i < count; ++i) {
+    if (depth.write) {
+      for_each(count, [this, kept](int i) {
         tile_.depth_stencil[kept[i]] = static_cast<uint32_t>(depth_of_[i]);
-      }
+      });
     }
     return count;
   }
@@ -291,10 +317,9 @@ class SmallBatch {
     std::fill(to + batch_.count, to + padded_, from[0]);
   }
 
-  // Calls f for each fragment.
+  // Calls f for each of so many fragments.
   template <class F>
-  HWY_INLINE void for_each_fragment(const F& f) const {
-    const int count = batch_.count;
+  static HWY_INLINE void for_each(int count, const F& f) {
     int i = 0;
     for (; i + 4 <= count; i += 4) {
       f(i);
@@ -305,16 +330,23 @@ class SmallBatch {
     for (; i < count; ++i) f(i);
   }
 
+  // By vectors: left to themselves, compilers take indices out of vectors and put values into them.
   void gather(const uint32_t* HWY_RESTRICT plane, uint32_t* HWY_RESTRICT values) const {
-    for_each_fragment([=, this](int i) { values[i] = plane[offset_[i]]; });
+    const TagI d;
+    for (int i = 0; i < batch_.count; i += kLanes) {
+      const auto in_use = hn::FirstN(d, static_cast<size_t>(batch_.count - i));
+      const VecI offset = hn::IfThenElseZero(in_use, hn::Load(d, offset_ + i));
+      hn::Store(hn::GatherIndex(d, reinterpret_cast<const int32_t*>(plane), offset), d,
+                reinterpret_cast<int32_t*>(values) + i);
+    }
   }
   void scatter(const uint32_t* HWY_RESTRICT values, uint32_t* HWY_RESTRICT plane) const {
-    for_each_fragment([=, this](int i) { plane[offset_[i]] = values[i]; });
+    for_each(batch_.count, [=, this](int i) { plane[offset_[i]] = values[i]; });
   }
   // Of the fragments that live. The others go where nobody looks, so that there is no branch.
   void scatter_live(const uint32_t* values, uint32_t* plane) const {
     uint32_t nowhere;
-    for_each_fragment([&, values, plane](int i) {
+    for_each(batch_.count, [&, values, plane](int i) {
       uint32_t* to = batch_.live[i] != 0 ? plane + offset_[i] : &nowhere;
       *to = values[i];
     });

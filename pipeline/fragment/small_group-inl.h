@@ -37,6 +37,16 @@ inline constexpr std::array<uint64_t, 256> kBitPlaces = [] {
   return places;
 }();
 
+// Where in a tile's planes the pixels of a square lie, from its first one.
+inline constexpr int kSquarePixels = kSmallSide * kSmallSide;
+alignas(64) inline constexpr std::array<uint16_t, kSquarePixels> kSquareOffsets = [] {
+  std::array<uint16_t, kSquarePixels> offsets{};
+  for (int i = 0; i < kSquarePixels; ++i) {
+    offsets[i] = static_cast<uint16_t>(i / kSmallSide * kTileWidth + i % kSmallSide);
+  }
+  return offsets;
+}();
+
 // What each fragment of a vector has of values that differ by the lane of its primitive.
 class FragmentPlanes {
  public:
@@ -93,8 +103,8 @@ class LanesInFront {
   VecI place_;
 };
 
-// Primitives of one kind, one in each lane, and their pixels: bits of the masks, and in which lane
-// the primitive is.
+// Primitives of one kind, one in each lane, and their pixels: indices into a tile's planes, and in
+// which lane the primitive is.
 class SmallGroup {
  public:
   using TagI = hn::ScalableTag<int32_t>;
@@ -106,9 +116,8 @@ class SmallGroup {
     return is_empty() || (primitives_.count != kLanes && kind == kind_);
   }
 
-  // The mask has so many bits.
-  HWY_INLINE void add(PrimitiveKind kind, int colour_offset, float size, const float* const* vertex,
-                      const SmallCoverage& coverage, int count) {
+  HWY_INLINE void add(PrimitiveKind kind, int colour_offset, float size,
+                      const float* const* vertex) {
     kind_ = kind;
     const int lane = primitives_.count++;
     for (int k = 0; k <= static_cast<int>(kind); ++k) {
@@ -117,8 +126,19 @@ class SmallGroup {
     }
     primitives_.colour_offset[lane] = colour_offset;
     primitives_.size[lane] = size;
-    place_[lane] = coverage.row * kTileWidth + coverage.column;
-    list_pixels(coverage.mask, count, lane);
+  }
+
+  // Lists pixels of the primitive that was added last: the mask has so many bits.
+  HWY_INLINE void list(const SmallCoverage& coverage, int count) {
+    const int lane = primitives_.count - 1, place = coverage.row * kTileWidth + coverage.column;
+    constexpr int kFew = 12;
+    if (count == kSquarePixels) {
+      list_square(place, lane);
+    } else if (count > kFew) {
+      list_rows(coverage.mask, place, lane);
+    } else {
+      list_few(coverage.mask, count, place, lane);
+    }
     listed_ += count;
   }
 
@@ -132,34 +152,27 @@ class SmallGroup {
   bool is_empty() const { return primitives_.count == 0; }
   int pixels() const { return listed_; }
 
-  // Of a vector of listed pixels: their primitives' lanes, and their indices into a tile's planes.
-  // Behind the last pixel they are anything.
+  // Of a vector of listed pixels. Behind the last pixel they are anything.
   HWY_INLINE VecI lanes(int first) const {
     return hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint8_t, TagI>(), lane_ + first));
   }
-  HWY_INLINE VecI offsets(const FragmentPlanes& of, int first) const {
-    const TagI d;
-    static_assert(kSmallSide == 1 << 3);
-    const VecI pixel = hn::PromoteTo(d, hn::LoadU(hn::Rebind<uint8_t, TagI>(), pixel_ + first));
-    const VecI in_row = hn::And(pixel, hn::Set(d, kSmallSide - 1));
-    return hn::Add(of(hn::Load(d, place_)),
-                   hn::Add(hn::ShiftLeft<3>(hn::Sub(pixel, in_row)), in_row));
+  HWY_INLINE VecI offsets(int first) const {
+    return hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint16_t, TagI>(), offset_ + first));
   }
 
  private:
   static constexpr int kListed = 8;  // pixels that are written at a time, at most
 
-  // Lists the set bits of the mask of the primitive in a lane, four at a time: most masks have no
-  // more, and none of what it takes to list a few of them depends on their number.
-  HWY_INLINE void list_pixels(uint64_t mask, int count, int lane) {
-    constexpr int kFew = 12;
-    if (count == kSmallSide * kSmallSide) return list_square(lane);
-    if (count > kFew) return list_rows(mask, lane);
+  // Lists the set bits of a mask, four at a time: most masks have no more, and none of what it
+  // takes to list a few of them depends on their number.
+  HWY_INLINE void list_few(uint64_t mask, int count, int place, int lane) {
     const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
+    static_assert(kTileWidth == kSmallSide * 8);
     for (int i = listed_; i < listed_ + count; i += 4) {
       for (int j = 0; j < 4; ++j) {
         // With a bit that stops the search, there is no branch.
-        pixel_[i + j] = static_cast<uint8_t>(std::countr_zero(mask | uint64_t{1} << 63));
+        const int pixel = std::countr_zero(mask | uint64_t{1} << 63);
+        offset_[i + j] = static_cast<uint16_t>(place + pixel + (pixel & 0x38) * 7);
         mask &= mask - 1;
       }
       std::memcpy(lane_ + i, &lanes, sizeof(lanes));
@@ -167,22 +180,32 @@ class SmallGroup {
   }
 
   // The same of a mask that is full.
-  HWY_INLINE void list_square(int lane) {
-    const hn::CappedTag<uint8_t, 64> d;
-    for (int i = 0; i < kSmallSide * kSmallSide; i += static_cast<int>(hn::Lanes(d))) {
-      hn::StoreU(hn::Iota(d, static_cast<uint8_t>(i)), d, pixel_ + listed_ + i);
-      hn::StoreU(hn::Set(d, static_cast<uint8_t>(lane)), d, lane_ + listed_ + i);
+  HWY_INLINE void list_square(int place, int lane) {
+    const hn::CappedTag<uint16_t, kSquarePixels> d;
+    const hn::CappedTag<uint8_t, kSquarePixels> d8;
+    for (int i = 0; i < kSquarePixels; i += static_cast<int>(hn::MaxLanes(d))) {
+      const auto in_square = hn::Load(d, kSquareOffsets.data() + i);
+      hn::StoreU(hn::Add(hn::Set(d, static_cast<uint16_t>(place)), in_square), d,
+                 offset_ + listed_ + i);
+    }
+    for (int i = 0; i < kSquarePixels; i += static_cast<int>(hn::MaxLanes(d8))) {
+      hn::StoreU(hn::Set(d8, static_cast<uint8_t>(lane)), d8, lane_ + listed_ + i);
     }
   }
 
   // The same a row at a time, for masks of many pixels.
-  HWY_NOINLINE void list_rows(uint64_t mask, int lane) {
-    constexpr uint64_t kEach = 0x0101010101010101u;
-    const uint64_t lanes = static_cast<uint64_t>(lane) * kEach;
+  HWY_NOINLINE void list_rows(uint64_t mask, int place, int lane) {
+    const hn::CappedTag<uint16_t, kListed> d;
+    const hn::Rebind<uint8_t, decltype(d)> d8;
+    const uint64_t lanes = static_cast<uint64_t>(lane) * 0x0101010101010101u;
     int at = listed_;
-    for (uint64_t row = 0; row < kSmallSide; ++row, mask >>= kSmallSide) {
-      const uint64_t places = kBitPlaces[mask & 0xff] + row * kSmallSide * kEach;
-      std::memcpy(pixel_ + at, &places, sizeof(places));
+    for (int row = 0; row < kSmallSide; ++row, mask >>= kSmallSide, place += kTileWidth) {
+      const auto* places = reinterpret_cast<const uint8_t*>(&kBitPlaces[mask & 0xff]);
+      const auto first = hn::Set(d, static_cast<uint16_t>(place));
+      for (int i = 0; i < kListed; i += static_cast<int>(hn::MaxLanes(d))) {
+        const auto column = hn::PromoteTo(d, hn::LoadU(d8, places + i));
+        hn::StoreU(hn::Add(first, column), d, offset_ + at + i);
+      }
       std::memcpy(lane_ + at, &lanes, sizeof(lanes));
       at += std::popcount(mask & 0xff);
     }
@@ -190,10 +213,10 @@ class SmallGroup {
 
   PrimitiveKind kind_ = PrimitiveKind::kTriangle;
   setup::HWY_NAMESPACE::LanePrimitives primitives_;
-  alignas(64) int32_t place_[kLanes] = {};  // where the masks lie in the tile
   int listed_ = 0;
   // A few more are written behind the last.
-  alignas(64) uint8_t pixel_[kBatchSize + kListed] = {}, lane_[kBatchSize + kListed] = {};
+  alignas(64) uint16_t offset_[kBatchSize + kListed] = {};
+  alignas(64) uint8_t lane_[kBatchSize + kListed] = {};
 };
 
 // Pixels of a tile that something is about to be done to, in squares of 8x8 as masks have them.

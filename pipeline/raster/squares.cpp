@@ -35,40 +35,20 @@ HWY_INLINE uint32_t outside_lanes(const VecI (&value)[kEdges]) {
   const TagI d;
   VecI any = value[0];
   for (int e = 1; e < kEdges; ++e) any = hn::Or(any, value[e]);
-  uint8_t bits[8] = {};
+  uint8_t bits[8];
   hn::StoreMaskBits(d, hn::Lt(any, hn::Zero(d)), bits);
-  uint32_t word;
+  // No more bytes than are stored, or compilers take them by way of memory.
+  if constexpr (kLanes <= 8) return bits[0];
+  uint16_t word;
   std::memcpy(&word, bits, sizeof(word));
   return word;
 }
 
-// Bit 8 * j + i: of the square (i, j) of the tile, each edge leaves some pixel inside.
-template <int kEdges>
-HWY_INLINE uint32_t touched_squares(const TileEdges& edges) {
-  static_assert(CoveredSquares::kColumns == 8 && kSmallSide == 8);
-  const TagI d;
-  uint32_t outside = 0;
-  for (int first = 0; first < CoveredSquares::kColumns * CoveredSquares::kRows; first += kLanes) {
-    const VecI number = hn::Add(hn::Set(d, first), hn::Iota(d, 0));
-    const VecI column = hn::ShiftLeft<3>(hn::And(number, hn::Set(d, 7)));
-    const VecI row = hn::AndNot(hn::Set(d, 7), number);
-    VecI most[kEdges];
-    for (int e = 0; e < kEdges; ++e) {
-      const int a = edges.a[e], b = edges.b[e];
-      const int reach = (kSmallSide - 1) * (std::max(a, 0) + std::max(b, 0));
-      most[e] = hn::Add(hn::Add(hn::Mul(hn::Set(d, a), column), hn::Mul(hn::Set(d, b), row)),
-                        hn::Set(d, edges.c[e] + reach));
-    }
-    outside |= outside_lanes(most) << first;
-  }
-  return ~outside;
-}
-
-// The pixels of squares that are inside all edges.
+// The squares of a tile and the edges: square 8 * j + i is (i, j).
 template <int kEdges>
 class SquareEdges {
  public:
-  explicit HWY_INLINE SquareEdges(const TileEdges& edges) : edges_(edges) {
+  explicit HWY_INLINE SquareEdges(const TileEdges& edges) {
     const TagI d;
     const VecI lane = hn::Iota(d, 0);
     const VecI column = hn::And(lane, hn::Set(d, kSmallSide - 1));
@@ -79,14 +59,18 @@ class SquareEdges {
       right_[e] = hn::Set(d, edges.a[e] * kLanes);
       up_[e] = hn::Set(d, edges.b[e] * kVectorRows);
     }
+    find_touched(edges);
   }
 
-  HWY_INLINE uint64_t mask(int column, int row) const {
+  // Bit n: of square n, each edge leaves some pixel inside.
+  uint32_t touched() const { return touched_; }
+
+  // The pixels of a square that are inside all edges.
+  HWY_INLINE uint64_t mask(int square) const {
     const TagI d;
     VecI first[kEdges];
     for (int e = 0; e < kEdges; ++e) {
-      const int corner = edges_.c[e] + edges_.a[e] * column + edges_.b[e] * row;
-      first[e] = hn::Add(offset_[e], hn::Set(d, corner));
+      first[e] = hn::Add(offset_[e], hn::Set(d, corner_[e][square]));
     }
     uint64_t outside = 0;
     for (int j = 0; j < kSmallSide; j += kVectorRows) {
@@ -103,13 +87,38 @@ class SquareEdges {
 
  private:
   static constexpr int kVectorRows = std::max(kLanes / kSmallSide, 1);  // rows of a vector
+  static constexpr int kSquares = CoveredSquares::kColumns * CoveredSquares::kRows;
 
-  const TileEdges& edges_;
+  HWY_INLINE void find_touched(const TileEdges& edges) {
+    static_assert(CoveredSquares::kColumns == 8 && kSmallSide == 8 && kSquares == 32);
+    const TagI d;
+    uint32_t outside = 0;
+    for (int first = 0; first < kSquares; first += kLanes) {
+      const VecI number = hn::Add(hn::Set(d, first), hn::Iota(d, 0));
+      const VecI column = hn::ShiftLeft<3>(hn::And(number, hn::Set(d, 7)));
+      const VecI row = hn::AndNot(hn::Set(d, 7), number);
+      VecI most[kEdges];
+      for (int e = 0; e < kEdges; ++e) {
+        const int a = edges.a[e], b = edges.b[e];
+        const VecI corner =
+            hn::Add(hn::Add(hn::Mul(hn::Set(d, a), column), hn::Mul(hn::Set(d, b), row)),
+                    hn::Set(d, edges.c[e]));
+        hn::Store(corner, d, corner_[e] + first);
+        const int reach = (kSmallSide - 1) * (std::max(a, 0) + std::max(b, 0));
+        most[e] = hn::Add(corner, hn::Set(d, reach));
+      }
+      outside |= outside_lanes(most) << first;
+    }
+    touched_ = ~outside;
+  }
+
   VecI offset_[kEdges];  // of a vector's pixels from the first
   VecI right_[kEdges], up_[kEdges];
+  alignas(64) int32_t corner_[kEdges][kSquares];  // the edges at the squares' first pixels
+  uint32_t touched_ = 0;
 };
 
-// The squares that the part of the tile touches, as touched_squares numbers them.
+// The squares that the part of the tile touches.
 HWY_INLINE uint32_t squares_of(const TilePart& part) {
   const int first_column = part.x0 / kSmallSide, last_column = (part.x1 - 1) / kSmallSide;
   const int first_row = part.y0 / kSmallSide, last_row = (part.y1 - 1) / kSmallSide;
@@ -129,43 +138,52 @@ HWY_INLINE uint64_t part_of_square(const TilePart& part, int column, int row) {
   return columns & rows;
 }
 
-// With the squares that are touched, and the pixels of one inside the edges.
+// With the squares that are touched, and the covered pixels of one.
 template <class MaskOf>
-HWY_INLINE void list_squares(uint32_t touched, const TilePart& part, const MaskOf& mask_of,
-                             CoveredSquares& out) {
+HWY_INLINE void list_squares(uint32_t touched, const MaskOf& mask_of, CoveredSquares& out) {
   int count = 0;
   for (; touched != 0; touched &= touched - 1) {
     const int number = std::countr_zero(touched);
     const int column = number % CoveredSquares::kColumns * kSmallSide;
     const int row = number / CoveredSquares::kColumns * kSmallSide;
-    const uint64_t mask = mask_of(column, row) & part_of_square(part, column, row);
+    const uint64_t mask = mask_of(number, column, row);
     out.square[count] = {mask, column, row};
     count += mask != 0 ? 1 : 0;
   }
   out.count = count;
 }
 
+// `cut`: inside the edges are pixels outside of the part.
 template <int kEdges>
-void CoverByEdges(const TileEdges& edges, const TilePart& part, CoveredSquares& out) {
+void CoverByEdges(const TileEdges& edges, const TilePart& part, bool cut, CoveredSquares& out) {
   const SquareEdges<kEdges> pixels(edges);
-  list_squares(
-      touched_squares<kEdges>(edges) & squares_of(part), part,
-      [&](int column, int row) HWY_ATTR { return pixels.mask(column, row); }, out);
+  const uint32_t touched = pixels.touched() & squares_of(part);
+  if (cut) {
+    const auto mask_of = [&](int square, int column, int row) HWY_ATTR {
+      return pixels.mask(square) & part_of_square(part, column, row);
+    };
+    list_squares(touched, mask_of, out);
+  } else {
+    const auto mask_of = [&](int square, int, int) HWY_ATTR { return pixels.mask(square); };
+    list_squares(touched, mask_of, out);
+  }
 }
 
-void CoverSquares(const TileEdges& edges, const TilePart& part, CoveredSquares& out) {
+void CoverSquares(const TileEdges& edges, const TilePart& part, bool cut, CoveredSquares& out) {
   switch (edges.count) {
     case 1:
-      return CoverByEdges<1>(edges, part, out);
+      return CoverByEdges<1>(edges, part, cut, out);
     case 2:
-      return CoverByEdges<2>(edges, part, out);
+      return CoverByEdges<2>(edges, part, cut, out);
     case 3:
-      return CoverByEdges<3>(edges, part, out);
+      return CoverByEdges<3>(edges, part, cut, out);
     case 4:
-      return CoverByEdges<4>(edges, part, out);
+      return CoverByEdges<4>(edges, part, cut, out);
     default:
       list_squares(
-          squares_of(part), part, [](int, int) { return ~uint64_t{0}; }, out);
+          squares_of(part),
+          [&](int, int column, int row) HWY_ATTR { return part_of_square(part, column, row); },
+          out);
   }
 }
 
@@ -178,7 +196,7 @@ namespace raster {
 
 HWY_EXPORT(CoverSquares);
 
-using CoverSquaresFunction = void (*)(const TileEdges&, const TilePart&, CoveredSquares&);
+using CoverSquaresFunction = void (*)(const TileEdges&, const TilePart&, bool, CoveredSquares&);
 
 static CoverSquaresFunction squares_function() {
   static const CoverSquaresFunction function = [] {
@@ -198,7 +216,7 @@ bool cover_squares(const PrimitiveRecord& primitive, int tile_x, int tile_y,
       classify_tile(primitive, tile_x, tile_y, kCentrePlace, edges) == TileOverlap::kOutside) {
     return false;
   }
-  raster::squares_function()(edges, part, squares);
+  raster::squares_function()(edges, part, primitive.cut, squares);
   return squares.count != 0;
 }
 

@@ -152,11 +152,12 @@ HWY_INLINE int greatest(VecI v) {
 }
 
 // The end of setup of a vector of convex polygons in either winding: their fates and masks.
-// `general` are those that are left to setup of one; `fate_of` gives the fate of small ones with
-// pixels from twice their area, in square subpixels.
+// `general` are those that are left to setup of one; `large` is the fate of others that are not
+// small, and `fate_of` gives that of small ones with pixels from twice their area, in square
+// subpixels.
 template <int kCorners, class FateOf>
 HWY_INLINE void settle(const SetupState& state, const LaneJob& job, size_t i,
-                       Corner (&corner)[kCorners], MaskI nothing, MaskI general,
+                       Corner (&corner)[kCorners], MaskI nothing, MaskI general, VecI large,
                        const FateOf& fate_of) {
   const TagI d;
   const VecI zero = hn::Zero(d);
@@ -183,7 +184,7 @@ HWY_INLINE void settle(const SetupState& state, const LaneJob& job, size_t i,
   const MaskI small = hn::AndNot(hn::Or(hn::Or(general, empty), cut), fits);
 
   static_assert(static_cast<int>(LaneFate::kNothing) == 0);
-  VecI result = hn::IfThenZeroElse(empty, fate(LaneFate::kGeneral));
+  VecI result = hn::IfThenZeroElse(empty, large);
   result = hn::IfThenElse(general, fate(LaneFate::kGeneral), result);
   if (!hn::AllFalse(d, small)) {
     for (Corner& c : corner) {

@@ -14,10 +14,12 @@
 namespace clearpipe::pipeline {
 
 enum class LaneFate : uint8_t {
-  kNothing,     // culled, outside of a clip plane as a whole, or without a pixel
-  kSmall,       // small primitives: a triangle that faces the viewer, a line along x, a point
-  kSmallOther,  // the same: a triangle that faces away, a line along y
-  kGeneral,     // crosses a clip plane, or is not small, or its box is cut by the bounds
+  kNothing,       // culled, outside of a clip plane as a whole, or without a pixel
+  kSmall,         // small primitives: a triangle that faces the viewer, a line along x, a point
+  kSmallOther,    // the same: a triangle that faces away, a line along y
+  kGeneral,       // crosses a clip plane, or is not small, or its box is cut by the bounds
+  kSnapped,       // the same of a line along x, whose corners are known
+  kSnappedOther,  // and of one along y
 };
 
 // The most that are done at once.
@@ -38,6 +40,7 @@ struct LaneSet {
   // masks for small ones only.
   alignas(64) std::array<int32_t, kPadded> fate, x, y, more;
   alignas(64) std::array<uint32_t, kPadded> mask_low[kSquaresOfLane], mask_high[kSquaresOfLane];
+  alignas(64) std::array<int32_t, kPadded> snapped_x[4], snapped_y[4];  // of lines: their corners
 
   uint64_t mask(size_t i, int square) const {
     return static_cast<uint64_t>(mask_high[square][i]) << 32 | mask_low[square][i];
@@ -52,6 +55,7 @@ struct LaneJob {
   int32_t* fate = nullptr;
   int32_t *x = nullptr, *y = nullptr, *more = nullptr;
   uint32_t *mask_low[kSquaresOfLane] = {}, *mask_high[kSquaresOfLane] = {};
+  int32_t *snapped_x[4] = {}, *snapped_y[4] = {};
 };
 
 // The job of `count` primitives from `first` on.
@@ -68,6 +72,10 @@ LaneJob lane_job(const float* records, LaneSet<kCount>& set, size_t first, size_
   for (int s = 0; s < kSquaresOfLane; ++s) {
     job.mask_low[s] = set.mask_low[s].data() + first;
     job.mask_high[s] = set.mask_high[s].data() + first;
+  }
+  for (int k = 0; k < 4; ++k) {
+    job.snapped_x[k] = set.snapped_x[k].data() + first;
+    job.snapped_y[k] = set.snapped_y[k].data() + first;
   }
   return job;
 }

@@ -85,7 +85,21 @@ bool setup_rectangle(const SetupState& state, const float* w0, const float* w1,
   return true;
 }
 
+void set_line(const float* v0, const float* v1, float size, PrimitiveRecord& out) {
+  out.kind = PrimitiveKind::kLine;
+  out.vertex[0] = v0;
+  out.vertex[1] = v1;
+  out.size = size;
+  out.back_facing = false;
+}
+
 }  // namespace
+
+bool setup_snapped_line(const SetupState& state, const float* v0, const float* v1, bool x_major,
+                        const SnappedPoint corners[4], PrimitiveRecord& out) {
+  set_line(v0, v1, x_major ? 1.0f : -1.0f, out);
+  return set_polygon(state, corners, 4, out);
+}
 
 bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out) {
   const float* w0 = v0 + vertex_record::kWindow;
@@ -95,12 +109,8 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
   if (dx == 0 && dy == 0) {
     return false;
   }
-  out.kind = PrimitiveKind::kLine;
-  out.vertex[0] = v0;
-  out.vertex[1] = v1;
-  out.back_facing = false;
   if (state.coverage != FragmentCoverage::kCentre) {
-    out.size = 0;
+    set_line(v0, v1, 0, out);
     return setup_rectangle(state, w0, w1, out);
   }
   const bool x_major = std::fabs(dx) >= std::fabs(dy);
@@ -138,8 +148,7 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
     corners[i].x = x_major ? major[i] : minor[i];
     corners[i].y = mirror(state, x_major ? minor[i] : major[i]);
   }
-  out.size = x_major ? 1.0f : -1.0f;
-  return set_polygon(state, corners, 4, out);
+  return setup_snapped_line(state, v0, v1, x_major, corners, out);
 }
 
 }  // namespace clearpipe::pipeline

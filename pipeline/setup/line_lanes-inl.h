@@ -100,9 +100,13 @@ HWY_INLINE void setup_line_lanes(const SetupState& state, const LaneJob& job, si
   for (int k = 0; k < 4; ++k) {
     corner[k].x = hn::IfThenElse(across, major[k], minor[k]);
     corner[k].y = mirror_lanes(state, hn::IfThenElse(across, minor[k], major[k]));
+    hn::StoreU(corner[k].x, d, job.snapped_x[k] + i);
+    hn::StoreU(corner[k].y, d, job.snapped_y[k] + i);
   }
   const MaskI nothing = hn::Or(v.outside, hn::AndNot(v.crosses, hn::RebindMask(d, point)));
-  settle(state, job, i, corner, nothing, general, [&](VecI) HWY_ATTR {
+  const VecI large =
+      hn::IfThenElse(across, fate(LaneFate::kSnapped), fate(LaneFate::kSnappedOther));
+  settle(state, job, i, corner, nothing, general, large, [&](VecI) HWY_ATTR {
     return hn::IfThenElse(across, fate(LaneFate::kSmall), fate(LaneFate::kSmallOther));
   });
 }

@@ -77,7 +77,7 @@ HWY_INLINE void setup_point_lanes(const SetupState& state, const LaneJob& job, s
                            : pixel_square(state, v.x[0], v.y[0], size, general);
   Corner corner[4] = {{s.left, s.low}, {s.right, s.low}, {s.right, s.high}, {s.left, s.high}};
   // A point that crosses a plane is gone (2.11).
-  settle(state, job, i, corner, v.crosses, general,
+  settle(state, job, i, corner, v.crosses, general, fate(LaneFate::kGeneral),
          [](VecI) HWY_ATTR { return fate(LaneFate::kSmall); });
 }
 

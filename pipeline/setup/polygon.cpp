@@ -49,13 +49,14 @@ bool set_box(const SetupState& state, const SnappedPoint& low, const SnappedPoin
     return (v - reach + kSubpixelOne - 1) >> kSubpixelBits;
   };
   const auto last_centre = [reach](int32_t v) { return (v + reach) >> kSubpixelBits; };
-  const int x0 = std::max(first_centre(low.x), state.bounds.x0);
-  const int x1 = std::min(last_centre(high.x) + 1, state.bounds.x1);
-  const int y0 = std::max(first_centre(low.y), state.bounds.y0);
-  const int y1 = std::min(last_centre(high.y) + 1, state.bounds.y1);
+  const int left = first_centre(low.x), right = last_centre(high.x) + 1;
+  const int lower = first_centre(low.y), upper = last_centre(high.y) + 1;
+  const int x0 = std::max(left, state.bounds.x0), x1 = std::min(right, state.bounds.x1);
+  const int y0 = std::max(lower, state.bounds.y0), y1 = std::min(upper, state.bounds.y1);
   if (x0 >= x1 || y0 >= y1) {
     return false;
   }
+  out.cut = reach != 0 || x0 != left || x1 != right || y0 != lower || y1 != upper;
   out.x0 = static_cast<int16_t>(x0);
   out.y0 = static_cast<int16_t>(y0);
   out.x1 = static_cast<int16_t>(x1);

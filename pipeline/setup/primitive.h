@@ -47,6 +47,7 @@ struct PrimitiveRecord {
   bool is_circle = false;
   bool back_facing = false;
   bool narrow = false;  // covers few pixels of a row
+  bool cut = false;     // outside of the box may be pixels that are inside the edges
 };
 
 // The setup of each kind of primitive; false when nothing can be covered. The triangle's third
@@ -55,6 +56,15 @@ bool setup_triangle(const SetupState& state, const float* v0, const float* v1, c
                     PrimitiveRecord& out);
 bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out);
 bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out);
+
+// Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
+struct SnappedPoint {
+  int32_t x = 0, y = 0;
+};
+
+// The rest of the setup of a line whose pixels are decided by their centres, from its corners.
+bool setup_snapped_line(const SetupState& state, const float* v0, const float* v1, bool x_major,
+                        const SnappedPoint corners[4], PrimitiveRecord& out);
 
 // The nearest width that is supported for points and lines of any kind (3.3.1, 3.4.2).
 inline float supported_width(float width) { return width > 1 ? std::min(width, 255.0f) : 1.0f; }
@@ -68,11 +78,6 @@ void make_depth_plane(const SetupState& state, const PrimitiveRecord& primitive,
 
 // What is added to the depth of a polygon's fragments (3.5.2).
 float polygon_offset(const SetupState& state, const Plane& depth);
-
-// Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
-struct SnappedPoint {
-  int32_t x = 0, y = 0;
-};
 
 // Rounds to nearest, ties to even, as the reference's conversion does.
 int32_t snap(float pixels);

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "pipeline/raster/tile.h"
@@ -16,7 +17,8 @@ namespace clearpipe::pipeline {
 
 inline constexpr int kSmallSide = 8;
 
-struct SmallPrimitive {
+// None lies across two cache lines.
+struct alignas(32) SmallPrimitive {
   uint64_t mask;  // bit 8 * j + i: pixel (x + i, y + j) is covered
   int16_t x, y;
   uint32_t vertex[3];  // numbers of vertex records in the range; points use one, lines two
@@ -35,20 +37,13 @@ struct SmallCoverage {
 
 inline SmallCoverage small_coverage(uint64_t mask, int x, int y, int tile_x, int tile_y) {
   constexpr uint64_t kEachRow = 0x0101010101010101u;
-  int column = x - tile_x, row = y - tile_y;
-  if (column < 0) {
-    mask = mask >> -column & kEachRow * (0xffu >> -column);
-    column = 0;
-  } else if (column > kTileWidth - kSmallSide) {
-    mask &= kEachRow * (0xffu >> (column - (kTileWidth - kSmallSide)));
-  }
-  if (row < 0) {
-    mask >>= kSmallSide * -row;
-    row = 0;
-  } else if (row > kTileHeight - kSmallSide) {
-    mask &= ~uint64_t{0} >> (kSmallSide * (row - (kTileHeight - kSmallSide)));
-  }
-  return {mask, column, row};
+  // Without branches: whether a square lies across the border of a tile cannot be guessed.
+  const int column = x - tile_x, row = y - tile_y;
+  const int left = std::max(-column, 0), right = std::max(column - (kTileWidth - kSmallSide), 0);
+  const int low = std::max(-row, 0), high = std::max(row - (kTileHeight - kSmallSide), 0);
+  mask = mask >> left & kEachRow * (0xffu >> left) & kEachRow * (0xffu >> right);
+  mask = mask >> kSmallSide * low & ~uint64_t{0} >> kSmallSide * high;
+  return {mask, std::max(column, 0), std::max(row, 0)};
 }
 
 // Whether the box of a primitive after setup is small enough.

@@ -41,7 +41,8 @@ HWY_INLINE void setup_triangle_lanes(const SetupState& state, const LaneJob& job
     corner[k].x = snap_lanes(hn::Sub(vertices.x[k], half), general);
     corner[k].y = mirror_lanes(state, snap_lanes(hn::Sub(vertices.y[k], half), general));
   }
-  settle(state, job, i, corner, vertices.outside, general, [&](VecI area) HWY_ATTR {
+  const VecI large = fate(LaneFate::kGeneral);
+  settle(state, job, i, corner, vertices.outside, general, large, [&](VecI area) HWY_ATTR {
     // Equation 3.4.
     const VecI zero = hn::Zero(d);
     const MaskI clockwise = hn::Lt(area, zero);
