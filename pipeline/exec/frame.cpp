@@ -173,7 +173,7 @@ struct Frame::Impl {
       front_workers.push_back(make_front_worker());
     }
     while (back_workers.size() < count) {
-      back_workers.push_back(std::make_unique<BackWorker>());
+      back_workers.push_back(std::make_unique_for_overwrite<BackWorker>());
     }
   }
 
