@@ -22,16 +22,28 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::exec::HWY_NAMESPACE {
 
 using fragment::HWY_NAMESPACE::SmallBatch;
+using fragment::HWY_NAMESPACE::SmallScratch;
+using fragment::HWY_NAMESPACE::SquareParts;
 
-void begin(std::byte* memory, const FragmentProgram& program, Tile& tile) {
-  static_assert(std::is_trivially_destructible_v<SmallBatch>);
-  static_assert(sizeof(SmallBatch) <= SmallShader::kBatchBytes);
-  new (memory) SmallBatch(program, tile);
+SmallBatch& batch_of(std::byte* memory) {
+  return *std::launder(reinterpret_cast<SmallBatch*>(memory));
 }
 
-size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet& packet,
-           std::span<const uint32_t> entries, Tile& tile) {
-  SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
+void begin(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile) {
+  static_assert(std::is_trivially_destructible_v<SmallBatch>);
+  static_assert(sizeof(SmallBatch) <= SmallShader::kBatchBytes);
+  static_assert(sizeof(SmallScratch) <= SmallShader::kScratchBytes);
+  new (memory) SmallBatch(program, tile, *new (scratch) SmallScratch);
+}
+
+HWY_INLINE void keep_order(SmallBatch* other, const SquareParts& pixels) {
+  if (other != nullptr && other->has(pixels)) other->flush();
+}
+
+size_t add(std::byte* memory, std::byte* other_memory, const std::vector<DrawRecord>& draws,
+           const Packet& packet, std::span<const uint32_t> entries, Tile& tile) {
+  SmallBatch& batch = batch_of(memory);
+  SmallBatch* const other = other_memory != nullptr ? &batch_of(other_memory) : nullptr;
   const SmallPrimitive* primitives = packet.small.data();
   uint32_t range = ~0u;
   const DrawState* draw = nullptr;
@@ -58,20 +70,23 @@ size_t add(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet
     const SmallCoverage coverage =
         small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
     batch.add(primitive.kind, primitive.back_facing, primitive.size, vertex,
-              std::span<const SmallCoverage, 1>(&coverage, 1));
+              std::span<const SmallCoverage, 1>(&coverage, 1),
+              [other](const SquareParts& parts) HWY_ATTR { keep_order(other, parts); });
   }
   return taken;
 }
 
-void add_squares(std::byte* memory, const SetupState& state, const PrimitiveRecord& primitive,
-                 const CoveredSquares& squares) {
-  SmallBatch& batch = *std::launder(reinterpret_cast<SmallBatch*>(memory));
+void add_squares(std::byte* memory, std::byte* other_memory, const SetupState& state,
+                 const PrimitiveRecord& primitive, const CoveredSquares& squares) {
+  SmallBatch& batch = batch_of(memory);
+  SmallBatch* const other = other_memory != nullptr ? &batch_of(other_memory) : nullptr;
   batch.set_state(state);
   batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
-            std::span(squares.square).first(static_cast<size_t>(squares.count)));
+            std::span(squares.square).first(static_cast<size_t>(squares.count)),
+            [other](const SquareParts& parts) HWY_ATTR { keep_order(other, parts); });
 }
 
-void flush(std::byte* memory) { std::launder(reinterpret_cast<SmallBatch*>(memory))->flush(); }
+void flush(std::byte* memory) { batch_of(memory).flush(); }
 
 const SmallKernels* kernels() {
   static constexpr SmallKernels kKernels = {&begin, &add, &add_squares, &flush};
@@ -106,27 +121,32 @@ size_t SmallShader::add(const std::vector<DrawRecord>& draws, const Packet& pack
                         std::span<const uint32_t> entries, Tile& tile) {
   const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];
   const FragmentProgram* program = draws[packet.ranges[first.range].draw].state->program;
-  begin(*program, tile);
-  return exec::resolve().add(batch_, draws, packet, entries, tile);
+  find(*program, tile);
+  return exec::resolve().add(batches_[last_].memory, other_memory(), draws, packet, entries, tile);
 }
 
 void SmallShader::add(const DrawState& draw, const PrimitiveRecord& primitive,
                       const CoveredSquares& squares, Tile& tile) {
-  begin(*draw.program, tile);
-  exec::resolve().add_squares(batch_, draw.setup, primitive, squares);
+  find(*draw.program, tile);
+  exec::resolve().add_squares(batches_[last_].memory, other_memory(), draw.setup, primitive,
+                              squares);
 }
 
-void SmallShader::begin(const FragmentProgram& program, Tile& tile) {
-  if (program_ == &program) return;
-  flush();
-  program_ = &program;
-  exec::resolve().begin(batch_, program, tile);
+void SmallShader::find(const FragmentProgram& program, Tile& tile) {
+  if (batches_[last_].program == &program) return;
+  last_ = 1 - last_;
+  Batch& batch = batches_[last_];
+  if (batch.program == &program) return;
+  if (batch.program != nullptr) exec::resolve().flush(batch.memory);
+  batch.program = &program;
+  exec::resolve().begin(batch.memory, scratch_, program, tile);
 }
 
 void SmallShader::flush() {
-  if (program_ == nullptr) return;
-  exec::resolve().flush(batch_);
-  program_ = nullptr;
+  for (Batch& batch : batches_) {
+    if (batch.program != nullptr) exec::resolve().flush(batch.memory);
+    batch.program = nullptr;
+  }
 }
 
 }  // namespace clearpipe::pipeline

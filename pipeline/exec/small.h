@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,11 +27,12 @@ bool draws_small(const DrawRecord& draw);
 
 // The kernels of one SIMD target. `memory` holds a batch.
 struct SmallKernels {
-  void (*begin)(std::byte* memory, const FragmentProgram& program, Tile& tile);
-  size_t (*add)(std::byte* memory, const std::vector<DrawRecord>& draws, const Packet& packet,
-                std::span<const uint32_t> entries, Tile& tile);
-  void (*add_squares)(std::byte* memory, const SetupState& state, const PrimitiveRecord& primitive,
-                      const CoveredSquares& squares);
+  void (*begin)(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile);
+  // When the other batch, if there is one, has a pixel that is added, it is shaded first.
+  size_t (*add)(std::byte* memory, std::byte* other, const std::vector<DrawRecord>& draws,
+                const Packet& packet, std::span<const uint32_t> entries, Tile& tile);
+  void (*add_squares)(std::byte* memory, std::byte* other, const SetupState& state,
+                      const PrimitiveRecord& primitive, const CoveredSquares& squares);
   void (*flush)(std::byte* memory);
 };
 
@@ -38,7 +40,7 @@ struct SmallKernels {
 // flush(), which must precede anything else that is done to the tile.
 class SmallShader {
  public:
-  static constexpr size_t kBatchBytes = 112 * 1024;
+  static constexpr size_t kBatchBytes = 40 * 1024, kScratchBytes = 72 * 1024;
 
   // Takes entries of a packet: as many from the first on, which has to be of a small primitive, as
   // are of small primitives of draws with one program. Returns how many that are.
@@ -50,10 +52,23 @@ class SmallShader {
   void flush();
 
  private:
-  void begin(const FragmentProgram& program, Tile& tile);
+  struct Batch {
+    const FragmentProgram* program = nullptr;  // null: it holds nothing
+    alignas(64) std::byte memory[kBatchBytes];
+  };
 
-  const FragmentProgram* program_ = nullptr;  // of the batch at hand; null: there is none
-  alignas(64) std::byte batch_[kBatchBytes];
+  // Makes the batch of the program the last one.
+  void find(const FragmentProgram& program, Tile& tile);
+  std::byte* other_memory() {
+    Batch& other = batches_[1 - last_];
+    return other.program != nullptr ? other.memory : nullptr;
+  }
+
+  // Of the last two programs: what draws cover is mostly apart, so that those which come in turns
+  // fill a batch each.
+  std::array<Batch, 2> batches_;
+  size_t last_ = 0;
+  alignas(64) std::byte scratch_[kScratchBytes];
 };
 
 }  // namespace clearpipe::pipeline

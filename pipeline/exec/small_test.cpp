@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <memory>
 #include <random>
@@ -247,6 +248,44 @@ TEST(Small, BatchesGiveTheBitsOfSinglePrimitives) {
     }
   }
   EXPECT_GT(batched, 100);
+}
+
+// Draws with different programs, a few primitives of each in turns, cover each other: their batches
+// go on side by side, but a pixel sees them in order.
+TEST(Small, ProgramsInTurnsGiveTheBitsOfSinglePrimitives) {
+  const auto shader = std::make_unique<SmallShader>();
+  int seen = 0;
+  for (uint32_t seed = 2000; seed < 2080; ++seed) {
+    Random random(seed);
+    std::vector<std::unique_ptr<RandomDraw>> draws;
+    std::vector<Mesh> meshes;
+    while (draws.size() < 3) {
+      auto draw = std::make_unique<RandomDraw>(random);
+      if (!draws_small(draw->draws[0])) continue;
+      meshes.push_back(random_mesh(random, draw->state.setup.layout, random.coin()));
+      draws.push_back(std::move(draw));
+    }
+    OwnTile tile = random_tile(random), expected = tile;
+    std::array<size_t, 3> next{};
+    for (int turn = 0; turn < 60; ++turn) {
+      const auto i = static_cast<size_t>(random.below(3));
+      const Mesh& mesh = meshes[i];
+      const size_t count =
+          std::min(static_cast<size_t>(1 + random.below(5)), mesh.entries.size() - next[i]);
+      if (count == 0) continue;
+      const auto entries = std::span<const uint32_t>(mesh.entries).subspan(next[i], count);
+      next[i] += count;
+      for (const uint32_t entry : entries) {
+        shade_one(draws[i]->state, mesh.records.data(), mesh.packet.small[entry & ~kSmallEntry],
+                  expected);
+      }
+      ASSERT_EQ(shader->add(draws[i]->draws, mesh.packet, entries, tile), count);
+      ++seen;
+    }
+    shader->flush();
+    ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
+  }
+  EXPECT_GT(seen, 2000);
 }
 
 // A thin triangle or line through the tile, or a small box: anything but much of a row.

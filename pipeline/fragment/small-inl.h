@@ -35,16 +35,26 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// What batches need while something is done to them, so that one is enough for all.
+struct SmallScratch {
+  FragmentBatch batch;
+  // Of the fragments that a group leaves: their lanes, and what the depth test makes of the tile.
+  alignas(64) int32_t lane_of[kBatchSize + SmallGroup::kLanes];
+  alignas(64) int32_t depth_of[kBatchSize + SmallGroup::kLanes];
+};
+
 class SmallBatch {
  public:
-  SmallBatch(const FragmentProgram& program, Tile& tile)
+  SmallBatch(const FragmentProgram& program, Tile& tile, SmallScratch& scratch)
       : program_(program),
         tile_(tile),
         depth_state_(depth_state(program)),
         replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
                   !program.has_logic_op),
-        in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)) {
-    batch_.count = 0;
+        in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)),
+        lane_of_(scratch.lane_of),
+        depth_of_(scratch.depth_of),
+        batch_(scratch.batch) {
     for (int unit = 0; unit < kSmallUnits; ++unit) {
       if ((program.inputs.texture_units >> unit & 1) == 0) continue;
       const UnitProgram& u = program.unit[unit];
@@ -59,27 +69,30 @@ class SmallBatch {
     state_ = &state;
   }
 
-  // Takes the pixels of a primitive whose vertex records stay where they are until flush().
-  template <size_t kSquares>
+  // Takes the pixels of a primitive whose vertex records stay where they are until flush(). Of each
+  // square, before(SquareParts) is called first.
+  template <size_t kSquares, class Before>
   HWY_INLINE void add(PrimitiveKind kind, bool back_facing, float size, const float* const* vertex,
-                      std::span<const SmallCoverage, kSquares> squares) {
+                      std::span<const SmallCoverage, kSquares> squares, const Before& before) {
     const int colour_offset = back_facing && state_->two_sided ? state_->layout.back_colour_offset
                                                                : vertex_record::kColour;
     bool has_lane = false;
     for (const SmallCoverage& coverage : squares) {
+      const SquareParts parts(coverage);
+      before(parts);
       const int count = std::popcount(coverage.mask);
-      if (batch_.count + group_.pixels() + count > kRoom) {
+      if (count_ + group_.pixels() + count > kRoom) {
         end_group();
-        if (batch_.count + count > kRoom) flush();
+        if (count_ + count > kRoom) flush();
       }
       if (!has_lane && !group_.takes(kind)) end_group();
-      if (!pending_.note(coverage)) {
+      if (!pending_.note(parts)) {
         if (in_order_) {
           end_group();
         } else {
           flush();
         }
-        pending_.note(coverage);
+        pending_.note(parts);
       }
       if (!has_lane || group_.is_empty()) {
         group_.add(kind, colour_offset, size, vertex);
@@ -89,15 +102,22 @@ class SmallBatch {
     }
   }
 
+  // Whether the batch has one of the pixels.
+  HWY_INLINE bool has(const SquareParts& parts) const {
+    return pending_.has(parts) || (in_order_ && held_.has(parts));
+  }
+
   // Shades what was added.
   void flush() {
     end_group();
-    if (batch_.count != 0 && program_.step_count != 0) {
+    if (count_ != 0 && program_.step_count != 0) {
+      batch_.count = count_;
       pad();
       shade();
     }
-    batch_.count = 0;
+    count_ = 0;
     pending_.forget();
+    held_.forget();
   }
 
  private:
@@ -149,7 +169,7 @@ class SmallBatch {
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
     const int count = program_.early_depth ? list_what_passes(planes, to_x, to_y) : list_all();
     for (int i = 0; i < count; i += kLanes) {
-      const int at = batch_.count + i;
+      const int at = count_ + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
       const Places p = places_of(hn::LoadU(di, offset_ + at), of(to_x), of(to_y));
       evaluate_varyings(planes, of, p.x, p.y, at);
@@ -159,9 +179,12 @@ class SmallBatch {
                             hn::Add(hn::ConvertTo(d, quad_rows(p.row)), of(to_y)), at);
       }
     }
-    batch_.count += count;
+    count_ += count;
     group_.clear();
-    if (in_order_) pending_.forget();
+    if (in_order_) {
+      held_.note(pending_);
+      pending_.forget();
+    }
   }
 
   // Coordinates without a q of their own are divided by what colours are.
@@ -187,7 +210,7 @@ class SmallBatch {
     const int count = group_.pixels();
     for (int i = 0; i < count; i += kLanes) {
       hn::Store(group_.lanes(i), d, lane_of_ + i);
-      hn::StoreU(group_.offsets(i), d, offset_ + batch_.count + i);
+      hn::StoreU(group_.offsets(i), d, offset_ + count_ + i);
     }
     return count;
   }
@@ -214,7 +237,7 @@ class SmallBatch {
     const TagF d;
     const TagI di;
     const auto* stored = reinterpret_cast<const int32_t*>(tile_.depth_stencil);
-    int32_t* const kept = offset_ + batch_.count;
+    int32_t* const kept = offset_ + count_;
     int count = 0;
     for (int i = 0; i < group_.pixels(); i += kLanes) {
       const auto listed = hn::FirstN(di, static_cast<size_t>(group_.pixels() - i));
@@ -473,17 +496,17 @@ class SmallBatch {
   const bool in_order_;
   bool needs_lod_ = false;
   bool q_is_inv_w_[kSmallUnits] = {};  // of the group, whose w is 1 without perspective
-  int padded_ = 0;
+  int count_ = 0, padded_ = 0;         // fragments
   const SetupState* state_ = nullptr;
   SmallGroup group_;
-  PendingPixels pending_;  // those of the batch and the group
-  // Of the fragments that a group leaves: their lanes, and what the depth test makes of the tile.
-  alignas(64) int32_t lane_of_[kBatchSize + kLanes], depth_of_[kBatchSize + kLanes];
+  PendingPixels pending_;  // those of the batch and the group; if in_order_, of the group alone
+  PendingPixels held_;     // and of the batch
   alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes
   alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
   UnitCoordinates coordinates_[kSmallUnits];
   BoundEnvironment environment_[kSmallUnits];
-  FragmentBatch batch_;
+  int32_t *const lane_of_, *const depth_of_;  // of the scratch memory
+  FragmentBatch& batch_;                      // while it is shaded
 };
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE

@@ -152,12 +152,17 @@ class SmallGroup {
   bool is_empty() const { return primitives_.count == 0; }
   int pixels() const { return listed_; }
 
-  // Of a vector of listed pixels. Behind the last pixel they are anything.
+  // Of a vector of listed pixels: their primitives' lanes, and their indices into a tile's planes.
+  // Behind the last pixel they are any.
   HWY_INLINE VecI lanes(int first) const {
-    return hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint8_t, TagI>(), lane_ + first));
+    const TagI d;
+    return hn::And(hn::PromoteTo(d, hn::LoadU(hn::Rebind<uint8_t, TagI>(), lane_ + first)),
+                   hn::Set(d, kLanes - 1));
   }
   HWY_INLINE VecI offsets(int first) const {
-    return hn::PromoteTo(TagI(), hn::LoadU(hn::Rebind<uint16_t, TagI>(), offset_ + first));
+    const TagI d;
+    return hn::And(hn::PromoteTo(d, hn::LoadU(hn::Rebind<uint16_t, TagI>(), offset_ + first)),
+                   hn::Set(d, kTilePixels - 1));
   }
 
  private:
@@ -215,61 +220,94 @@ class SmallGroup {
   setup::HWY_NAMESPACE::LanePrimitives primitives_;
   int listed_ = 0;
   // A few more are written behind the last.
-  alignas(64) uint16_t offset_[kBatchSize + kListed] = {};
-  alignas(64) uint8_t lane_[kBatchSize + kListed] = {};
+  alignas(64) uint16_t offset_[kBatchSize + kListed];
+  alignas(64) uint8_t lane_[kBatchSize + kListed];
 };
 
-// Pixels of a tile that something is about to be done to, in squares of 8x8 as masks have them.
-class PendingPixels {
- public:
-  // Notes the pixels of a mask; false, and nothing is noted, when one is there already.
-  HWY_INLINE bool note(const SmallCoverage& coverage) {
+// A mask of pixels in squares of 8x8 of a tile, across four of which it may lie.
+struct SquareParts {
+  // Squares of a row, with one more at its end, and rows with one more above.
+  static constexpr int kStride = kTileWidth / kSmallSide + 1;
+  static constexpr int kSquares = kStride * (kTileHeight / kSmallSide + 1);
+
+  int first;         // the square that the mask begins in
+  bool in_first;     // as the squares of narrow primitives lie
+  uint64_t bits[4];  // of that square, the next, and those above the two
+  static constexpr int kPlace[4] = {0, 1, kStride, kStride + 1};
+
+  HWY_INLINE explicit SquareParts(const SmallCoverage& coverage)
+      : first(coverage.row / kSmallSide * kStride + coverage.column / kSmallSide) {
     constexpr uint64_t kEachRow = 0x0101010101010101u;
     const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
     const uint64_t mask = coverage.mask;
-    uint64_t* square =
-        square_ + coverage.row / kSmallSide * kSquareStride + coverage.column / kSmallSide;
-    if ((dx | dy) == 0) {  // as the squares of narrow primitives are
-      if ((*square & mask) != 0) return false;
-      *square |= mask;
-      return true;
-    }
-    // The mask lies across four squares.
+    in_first = (dx | dy) == 0;
     const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
     const uint64_t left = mask << dx & ~right_columns;
     const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
     // Rows that move on to the next square: all 64 bits when dy is 0, so in two steps.
     const auto above = [dy](uint64_t m) { return m >> (56 - kSmallSide * dy) >> kSmallSide; };
-    const uint64_t parts[4] = {left << kSmallSide * dy, right << kSmallSide * dy, above(left),
-                               above(right)};
-    uint64_t* const place[4] = {square, square + 1, square + kSquareStride,
-                                square + kSquareStride + 1};
-    uint64_t common = 0;
-    for (int i = 0; i < 4; ++i) common |= *place[i] & parts[i];
-    if (common != 0) return false;
-    for (int i = 0; i < 4; ++i) *place[i] |= parts[i];
+    bits[0] = left << kSmallSide * dy;
+    bits[1] = right << kSmallSide * dy;
+    bits[2] = above(left);
+    bits[3] = above(right);
+  }
+};
+
+// Pixels of a tile that something is about to be done to, in squares of 8x8 as masks have them.
+class PendingPixels {
+ public:
+  HWY_INLINE PendingPixels() { forget(); }
+
+  // Notes the pixels of a mask; false, and nothing is noted, when one is there already.
+  HWY_INLINE bool note(const SquareParts& parts) {
+    uint64_t* const square = square_ + parts.first;
+    if (parts.in_first) {
+      if ((*square & parts.bits[0]) != 0) return false;
+      *square |= parts.bits[0];
+      return true;
+    }
+    if (has(parts)) return false;
+    for (int i = 0; i < 4; ++i) square[SquareParts::kPlace[i]] |= parts.bits[i];
     return true;
+  }
+
+  // Notes what the other has, too.
+  HWY_INLINE void note(const PendingPixels& other) {
+    note_vectors(other, std::make_index_sequence<kWholeVectors / kStep>());
+  }
+
+  // Whether one of the pixels is noted.
+  HWY_INLINE bool has(const SquareParts& parts) const {
+    const uint64_t* const square = square_ + parts.first;
+    uint64_t common = 0;
+    for (int i = 0; i < 4; ++i) common |= square[SquareParts::kPlace[i]] & parts.bits[i];
+    return common != 0;
   }
 
   void forget() { forget_vectors(std::make_index_sequence<kWholeVectors / kStep>()); }
 
  private:
-  // Squares of a row, with one more at its end, and rows with one more above.
-  static constexpr int kSquareStride = kTileWidth / kSmallSide + 1;
-  static constexpr int kSquares = kSquareStride * (kTileHeight / kSmallSide + 1);
-  static constexpr int kWholeVectors = (kSquares + 7) / 8 * 8;
+  static constexpr int kWholeVectors = (SquareParts::kSquares + 7) / 8 * 8;
   using TagSquares = hn::ScalableTag<uint64_t>;
   static constexpr int kStep = static_cast<int>(hn::MaxLanes(TagSquares()));
   static_assert(kWholeVectors % kStep == 0);
 
-  // No loop, which compilers make a slow string instruction of.
+  // No loops, which compilers make slow string instructions of.
   template <size_t... i>
   HWY_INLINE void forget_vectors(std::index_sequence<i...>) {
     const TagSquares d;
     (hn::Store(hn::Zero(d), d, square_ + i * kStep), ...);
   }
+  template <size_t... i>
+  HWY_INLINE void note_vectors(const PendingPixels& other, std::index_sequence<i...>) {
+    const TagSquares d;
+    const auto both = [&](size_t at) HWY_ATTR {
+      return hn::Or(hn::Load(d, square_ + at), hn::Load(d, other.square_ + at));
+    };
+    (hn::Store(both(i * kStep), d, square_ + i * kStep), ...);
+  }
 
-  alignas(64) uint64_t square_[kWholeVectors] = {};
+  alignas(64) uint64_t square_[kWholeVectors];
 };
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
