@@ -171,15 +171,20 @@ class SmallGroup {
   // Lists the set bits of a mask, four at a time: most masks have no more, and none of what it
   // takes to list a few of them depends on their number.
   HWY_INLINE void list_few(uint64_t mask, int count, int place, int lane) {
+    constexpr uint64_t kEach = 0x0001000100010001u;
     const uint32_t lanes = static_cast<uint32_t>(lane) * 0x01010101u;
+    const uint64_t places = static_cast<uint64_t>(place) * kEach;
     static_assert(kTileWidth == kSmallSide * 8);
     for (int i = listed_; i < listed_ + count; i += 4) {
+      uint64_t pixels = 0;  // of the square, 16 bits each
       for (int j = 0; j < 4; ++j) {
         // With a bit that stops the search, there is no branch.
         const int pixel = std::countr_zero(mask | uint64_t{1} << 63);
-        offset_[i + j] = static_cast<uint16_t>(place + pixel + (pixel & 0x38) * 7);
+        pixels |= static_cast<uint64_t>(pixel) << (16 * j);
         mask &= mask - 1;
       }
+      pixels += places + (pixels & 0x38 * kEach) * 7;
+      std::memcpy(offset_ + i, &pixels, sizeof(pixels));
       std::memcpy(lane_ + i, &lanes, sizeof(lanes));
     }
   }

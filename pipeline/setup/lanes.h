@@ -18,7 +18,7 @@ enum class LaneFate : uint8_t {
   kSmall,         // small primitives: a triangle that faces the viewer, a line along x, a point
   kSmallOther,    // the same: a triangle that faces away, a line along y
   kGeneral,       // crosses a clip plane, or is not small, or its box is cut by the bounds
-  kSnapped,       // the same of a line along x, whose corners are known
+  kSnapped,       // a line along x that is not small, or cut by the bounds: its corners are known
   kSnappedOther,  // and of one along y
 };
 
