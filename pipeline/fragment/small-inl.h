@@ -29,6 +29,7 @@
 
 #include "pipeline/fragment/small.h"
 #include "pipeline/fragment/small_group-inl.h"
+#include "pipeline/fragment/small_pixels-inl.h"
 #include "pipeline/fragment/stages-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -256,9 +257,8 @@ class SmallBatch {
       count += in_front.count();
     }
     if (depth.write) {
-      for_each(count, [this, kept](int i) {
-        tile_.depth_stencil[kept[i]] = static_cast<uint32_t>(depth_of_[i]);
-      });
+      scatter_pixels(reinterpret_cast<const uint32_t*>(depth_of_), kept, count,
+                     tile_.depth_stencil);
     }
     return count;
   }
@@ -340,47 +340,12 @@ class SmallBatch {
     std::fill(to + batch_.count, to + padded_, from[0]);
   }
 
-  // Calls f for each of so many fragments.
-  template <class F>
-  static HWY_INLINE void for_each(int count, const F& f) {
-    int i = 0;
-    for (; i + 4 <= count; i += 4) {
-      f(i);
-      f(i + 1);
-      f(i + 2);
-      f(i + 3);
-    }
-    for (; i < count; ++i) f(i);
-  }
-
-  // By vectors: left to themselves, compilers take indices out of vectors and put values into them.
-  void gather(const uint32_t* HWY_RESTRICT plane, uint32_t* HWY_RESTRICT values) const {
-    const TagI d;
-    for (int i = 0; i < batch_.count; i += kLanes) {
-      const auto in_use = hn::FirstN(d, static_cast<size_t>(batch_.count - i));
-      const VecI offset = hn::IfThenElseZero(in_use, hn::Load(d, offset_ + i));
-      hn::Store(hn::GatherIndex(d, reinterpret_cast<const int32_t*>(plane), offset), d,
-                reinterpret_cast<int32_t*>(values) + i);
-    }
-  }
-  void scatter(const uint32_t* HWY_RESTRICT values, uint32_t* HWY_RESTRICT plane) const {
-    for_each(batch_.count, [=, this](int i) { plane[offset_[i]] = values[i]; });
-  }
-  // Of the fragments that live. The others go where nobody looks, so that there is no branch.
-  void scatter_live(const uint32_t* values, uint32_t* plane) const {
-    uint32_t nowhere;
-    for_each(batch_.count, [&, values, plane](int i) {
-      uint32_t* to = batch_.live[i] != 0 ? plane + offset_[i] : &nowhere;
-      *to = values[i];
-    });
-  }
-
   // The depth and stencil tests (4.1.5, 4.1.6) on the tile's values; false when no fragment lives.
   bool test() {
     const TagF df;
     const TagI d;
     const hn::Rebind<int16_t, TagI> d16;
-    gather(tile_.depth_stencil, batch_.stored_depth_stencil);
+    gather_pixels(tile_.depth_stencil, offset_, batch_.count, batch_.stored_depth_stencil);
     auto* stored = reinterpret_cast<int32_t*>(batch_.stored_depth_stencil);
     const StencilState& stencil = program_.stencil;
     VecI any = hn::Zero(d);
@@ -397,14 +362,16 @@ class SmallBatch {
       hn::Store(hn::DemoteTo(d16, lives), d16, batch_.live + i);
     }
     if (depth_state_.write || stencil.enabled) {
-      scatter(batch_.stored_depth_stencil, tile_.depth_stencil);
+      scatter_pixels(batch_.stored_depth_stencil, offset_, batch_.count, tile_.depth_stencil);
     }
     return !hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
   }
 
   void shade() {
     const bool writes = program_.colour_mask != 0;
-    if (writes && !replaces_) gather(tile_.colour, batch_.stored_colour);
+    if (writes && !replaces_) {
+      gather_pixels(tile_.colour, offset_, batch_.count, batch_.stored_colour);
+    }
     static const PrimitivePlanes kNoPlanes;
     const StageContext context{program_, kNoPlanes, tile_};
     for (int i = 0; i < program_.step_count; ++i) {
@@ -432,10 +399,10 @@ class SmallBatch {
       }
     }
     if (replaces_) {
-      scatter_live(batch_.colour, tile_.colour);
+      scatter_live_pixels(batch_.colour, offset_, batch_.live, batch_.count, tile_.colour);
     } else if (writes) {
       mask_stage(program_.colour_mask, batch_, batch_.live);
-      scatter(batch_.colour, tile_.colour);
+      scatter_pixels(batch_.colour, offset_, batch_.count, tile_.colour);
     }
   }
 
