@@ -98,6 +98,27 @@ TEST_F(Pending, EachDrawShowsItsOwnTexels) {
   }
 }
 
+// So many that the workers are given the first of them before the last is recorded.
+void draw_often(int half) {
+  glViewport(half * kSize / 2, 0, kSize / 2, kSize);
+  for (int i = 0; i < 700; ++i) {
+    i % 2 == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+}
+
+TEST_F(Pending, ChangesWhileWorkersDraw) {
+  glDepthFunc(GL_ALWAYS);
+  for (const Change& c : kChanges) {
+    one_colour_texture(kRed, c.size);
+    draw_half(0);
+    for (int i = 0; i < 3; ++i) draw_often(0);
+    c.change(c.size);
+    for (int i = 0; i < 3; ++i) draw_often(1);
+    expect_both(c.name);
+  }
+}
+
 // The second round begins with a context that has derived its state from the texture already.
 TEST_F(Pending, ManyUpdatesInOneFrame) {
   for (const GLsizei size : {4, 512}) {
@@ -169,6 +190,27 @@ TEST_F(Pending, EachDrawFetchesItsOwnVertices) {
       glColor4f(0, 1, 0, 1);
       glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
       EXPECT_EQ(pixel(8, 8), kRed);
+      EXPECT_ERROR(GL_NO_ERROR);
+    }
+  }
+}
+
+TEST_F(Pending, VerticesChangeWhileWorkersDraw) {
+  glDepthFunc(GL_ALWAYS);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  for (const GLsizeiptr size : {sizeof kWhole, size_t{1} << 20}) {
+    for (const auto& change : kBufferChanges) {
+      glClear(GL_COLOR_BUFFER_BIT);
+      glBindBuffer(GL_ARRAY_BUFFER, 5);
+      glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_DYNAMIC_DRAW);
+      glBufferSubData(GL_ARRAY_BUFFER, 0, sizeof kWhole, kWhole);
+      glVertexPointer(2, GL_FLOAT, 0, nullptr);
+      glColor4f(1, 0, 0, 1);
+      for (int i = 0; i < 3; ++i) draw_often(0);
+      change(size);
+      glColor4f(0, 1, 0, 1);
+      for (int i = 0; i < 3; ++i) draw_often(0);
+      EXPECT_EQ(left(), kRed);
       EXPECT_ERROR(GL_NO_ERROR);
     }
   }

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/fetch_ahead.h"
 #include "pipeline/image_memory.h"
 
 namespace clearpipe::pipeline {
@@ -34,6 +35,7 @@ class Arena {
     }
     std::byte* result = blocks_[block_].memory.get() + used_;
     used_ += bytes;
+    fetch_ahead(bytes);
     return result;
   }
 
@@ -57,6 +59,18 @@ class Arena {
 
  private:
   static constexpr size_t kFirstBlock = size_t{256} << 10, kOtherBlocks = size_t{2} << 20;
+
+  // What is small is written soon after it was asked for: a large part at once, and what comes
+  // next.
+  static constexpr size_t kAhead = 2048, kMostFetched = size_t{128} << 10;
+
+  void fetch_ahead(size_t bytes) const {
+    if (bytes > kMostFetched) return;
+    const Block& block = blocks_[block_];
+    const size_t end = std::min(used_ + kAhead, block.size);
+    const size_t begin = bytes > kAhead ? used_ - bytes : std::min(used_ + kAhead - bytes, end);
+    fetch_to_write(block.memory.get() + begin, end - begin);
+  }
 
   struct Free {
     size_t size = 0;
@@ -99,6 +113,8 @@ class ArenaLists {
   void pop_back() { --size_; }
   T& emplace_back() {
     if (size_ == capacity_) grow();
+    constexpr size_t kAhead = 512 / sizeof(T) + 1;
+    fetch_to_write(list_ + std::min(size_ + kAhead, capacity_ - 1), sizeof(T));
     return *::new (static_cast<void*>(list_ + size_++)) T;
   }
   void push_back(const T& element) { emplace_back() = element; }

@@ -154,9 +154,8 @@ void fetch(const PrimitiveRecord& primitive) {
 }
 
 // The primitives of a packet that touch the tile.
-void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
-                  std::span<const uint32_t> entries, const Target& target, TilePlanes& planes,
-                  TileDepth& depth, BackWorker& worker) {
+void shade_packet(const DrawList& draws, const Packet& packet, std::span<const uint32_t> entries,
+                  const Target& target, TilePlanes& planes, TileDepth& depth, BackWorker& worker) {
   constexpr size_t kAhead = 3;
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
@@ -190,8 +189,7 @@ void shade_packet(const std::vector<DrawRecord>& draws, const Packet& packet,
 
 // Scattered primitives make many short lists, and each would wait for memory
 // three times: for its entries, the primitive, the vertices.
-void fetch_ahead(const std::vector<DrawRecord>& draws,
-                 const std::vector<std::unique_ptr<Packet>>& packets,
+void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
                  std::span<const TileLists::Reference> lists, size_t next) {
   constexpr uint32_t kEntries = 3;  // of a list
   if (next + 9 < lists.size()) hwy::Prefetch(lists[next + 9].entries);
@@ -227,19 +225,17 @@ void fetch_ahead(const std::vector<DrawRecord>& draws,
 
 }  // namespace
 
-void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
-                    const TileGrid& grid, TileWork& work) {
+void make_tile_work(std::span<Packet* const> packets, const TileGrid& grid, TileWork& work) {
   work.clears.clear();
-  for (size_t i = 0; i < packet_count; ++i) {
+  for (size_t i = 0; i < packets.size(); ++i) {
     if (packets[i]->is_clear) work.clears.push_back(static_cast<uint32_t>(i));
   }
-  work.lists.build(grid, packet_count, [&](size_t i) -> const Bins* {
+  work.lists.build(grid, packets.size(), [&](size_t i) -> const Bins* {
     return packets[i]->is_clear ? nullptr : &packets[i]->bins;
   });
 }
 
-void run_back(const std::vector<DrawRecord>& draws,
-              const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
+void run_back(const DrawList& draws, std::span<Packet* const> packets, const TileWork& work,
               const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker) {
   for (Tile& tile : worker.tiles.tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;

@@ -3,16 +3,14 @@
 #include "pipeline/exec/frame.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cstring>
 #include <new>
+#include <span>
 #include <vector>
 
 #include "pipeline/exec/draw_state.h"
+#include "pipeline/exec/execution.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
-#include "pipeline/exec/shared_vertices.h"
-#include "pipeline/exec/shares.h"
 #include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
@@ -21,7 +19,9 @@ namespace {
 
 // A frame that grows past this many primitives is executed so far, which bounds its memory.
 constexpr uint32_t kMaxFramePrimitives = 128 * 1024;
-constexpr size_t kMaxFrameDraws = 16 * 1024;
+
+// With so many draws since the last time, a packet that is full may be worth waking the workers.
+constexpr size_t kStartedDraws = 128;
 
 }  // namespace
 
@@ -30,18 +30,17 @@ struct Frame::Impl {
   CurrentState state;
   ArrayRecorder arrays;
   Arena arena;
-  std::vector<DrawRecord> draws;
+  DrawList draws;
   std::vector<std::unique_ptr<Packet>> packets;  // the first packet_count are in use
   size_t packet_count = 0;
   uint32_t primitive_total = 0;
 
-  SharedVertices shared_vertices;
-  TileWork tile_work;
-  std::vector<FrontWorkerPtr> front_workers;
-  std::vector<std::unique_ptr<BackWorker>> back_workers;
-  Shares chunks, packet_shares, tiles;
-  std::atomic<uint32_t> chunks_done{0}, packets_done{0}, tiles_ready{0};
-  std::atomic<bool> failed{false};
+  // Packets and draws before these are executed, and perhaps started; all packets that are counted
+  // in packets_seen were thought of when it was last asked whether to start some.
+  size_t executed_packets = 0, executed_draws = 0;
+  size_t started_packets = 0, started_draws = 0;
+  size_t packets_seen = 1;
+  Execution execution;
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {
@@ -54,7 +53,7 @@ struct Frame::Impl {
   }
 
   Packet& open_packet() {
-    if (packet_count != 0) {
+    if (packet_count != started_packets) {
       Packet& last = *packets[packet_count - 1];
       if (!last.is_clear && last.primitive_count < kPacketPrimitives) {
         return last;
@@ -65,14 +64,13 @@ struct Frame::Impl {
 
   void forget_recorded() {
     draws.clear();
-    packet_count = 0;
+    packet_count = executed_packets = executed_draws = started_packets = started_draws = 0;
+    packets_seen = 1;
     primitive_total = 0;
     state.reset();
     arrays.reset();
     arena.reset();
-    for (const FrontWorkerPtr& worker : front_workers) {
-      if (worker) reset_front_worker(*worker);
-    }
+    execution.forget();
   }
 
   // Whether a list of triangles, lines or points may go on with the next one: the elements follow
@@ -93,12 +91,10 @@ struct Frame::Impl {
     draw.vertex = state.vertices(arena);
     arrays.record(command, state.attributes(), arena, draw);
     uint32_t skipped = 0;  // primitives of the draw that is continued
-    if (!draws.empty() && continues(draws.back(), draw)) {
+    if (draws.size() != started_draws && continues(draws.back(), draw)) {
       skipped = primitive_count(draw.primitive, draws.back().count);
       draws.back().count += draw.count;
     } else {
-      // By doubling it would touch as much memory again that it leaves.
-      if (draws.size() == draws.capacity()) draws.reserve(std::max<size_t>(256, 4 * draws.size()));
       draws.push_back(draw);
     }
     add_primitives(static_cast<uint32_t>(draws.size() - 1), skipped, count);
@@ -120,108 +116,40 @@ struct Frame::Impl {
     }
   }
 
-  // Without memory the frame fails as a whole, when nobody works on it any more.
-  template <typename Work>
-  void unless_failed(const Work& work) try {
-    if (!failed.load(std::memory_order_relaxed)) work();
-  } catch (const std::bad_alloc&) {
-    failed = true;
+  // Lets the workers begin with what is recorded, where recording takes long enough: but for the
+  // last packet, to which draws may be added.
+  void start_some() {
+    if (packet_count <= packets_seen) return;
+    packets_seen = packet_count;
+    if (draws.size() - started_draws < kStartedDraws || worker_count() == 1) return;
+    if (execution.is_started() && !execution.is_done()) return;
+    finish_started();
+    prepare(packet_count - 1);
+    arrays.leave_room();
+    started_packets = packet_count - 1;
+    started_draws = draws.size();
+    execution.start();
   }
 
-  void run_chunks(size_t worker) {
-    uint32_t done = 0;
-    for (size_t i = 0; chunks.take(worker, i); ++done) shared_vertices.run(draws, i);
-    const uint32_t total = static_cast<uint32_t>(shared_vertices.chunk_count());
-    if (done != 0 && chunks_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
-      chunks_done.notify_all();
-    }
+  // All from the first packet that is not executed to that of number `end`.
+  void prepare(size_t end) {
+    const std::span<const std::unique_ptr<Packet>> all(packets);
+    execution.prepare(draws, executed_draws, all.subspan(executed_packets, end - executed_packets),
+                      state.target(), grid, arena);
   }
 
-  void run_packets(size_t worker) {
-    uint32_t done = 0;
-    for (size_t i = 0; packet_shares.take(worker, i); ++done) {
-      if (packets[i]->is_clear) continue;
-      unless_failed([&] { run_front(*front_workers[worker], draws, grid, *packets[i]); });
-    }
-    const uint32_t total = static_cast<uint32_t>(packet_count);
-    if (done != 0 && packets_done.fetch_add(done, std::memory_order_acq_rel) + done == total) {
-      unless_failed([&] { make_tile_work(packets, packet_count, grid, tile_work); });
-      tiles_ready.store(1, std::memory_order_release);
-      tiles_ready.notify_all();
-    }
-  }
-
-  void run_tiles(size_t worker) {
-    if (failed) return;
-    for (size_t i = 0; tiles.take(worker, i);) {
-      run_back(draws, packets, tile_work, state.target(), grid, static_cast<int>(i),
-               *back_workers[worker]);
-    }
-  }
-
-  // All phases, so that a worker wakes up once a frame.
-  static void task(void* context, int number) {
-    Impl& frame = *static_cast<Impl*>(context);
-    const auto worker = static_cast<size_t>(number);
-    frame.run_chunks(worker);
-    wait_until(frame.chunks_done, static_cast<uint32_t>(frame.shared_vertices.chunk_count()));
-    frame.run_packets(worker);
-    wait_until(frame.tiles_ready, 1);
-    frame.run_tiles(worker);
-  }
-
-  void make_workers(size_t count) {
-    while (front_workers.size() < count) {
-      front_workers.push_back(make_front_worker());
-    }
-    while (back_workers.size() < count) {
-      // Of its memory it touches what it needs.
-      back_workers.push_back(std::make_unique_for_overwrite<BackWorker>());
-    }
-  }
-
-  // Whether the tiles are less work than waking a thread to share it, from what the packets hold.
-  bool is_little() const {
-    // Nanoseconds, roughly.
-    constexpr int64_t kTile = 80, kPrimitive = 150, kPixel = 8, kWakeUp = 60000;
-    int64_t work = kTile * grid.count();
-    for (size_t i = 0; i < packet_count && work < kWakeUp; ++i) {
-      if (packets[i]->is_clear) continue;
-      work += kPrimitive * static_cast<int64_t>(packets[i]->small.size());
-      for (const PrimitiveRecord& p : packets[i]->primitives) {
-        work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
-      }
-    }
-    return work < kWakeUp;
+  void finish_started() {
+    if (!execution.is_started()) return;
+    if (!execution.finish()) throw std::bad_alloc();
+    executed_packets = started_packets;
+    executed_draws = started_draws;
   }
 
   void execute() {
-    chunks_done = packets_done = tiles_ready = 0;
-    failed = false;
-    make_workers(1);
-    shared_vertices.prepare(draws, arena);
-    const auto workers = static_cast<size_t>(worker_count());
-    chunks.divide(shared_vertices.chunk_count(), workers);
-    packet_shares.divide(packet_count, workers);
-    tiles.divide(static_cast<size_t>(grid.count()), workers);
-    // A packet is built by one worker anyway.
-    const auto is_draw = [](const std::unique_ptr<Packet>& p) { return !p->is_clear; };
-    const auto end = packets.begin() + static_cast<ptrdiff_t>(packet_count);
-    if (std::count_if(packets.begin(), end, is_draw) <= 1) {
-      run_chunks(0);
-      run_packets(0);
-      if (is_little()) {
-        run_tiles(0);
-        return check();
-      }
-    }
-    make_workers(workers);
-    run_on_workers(&task, this);
-    check();
-  }
-
-  void check() const {
-    if (failed) throw std::bad_alloc();
+    finish_started();
+    if (executed_packets == packet_count) return;
+    prepare(packet_count);
+    if (!execution.run()) throw std::bad_alloc();
   }
 };
 
@@ -250,10 +178,11 @@ bool Frame::draw(const DrawCommand& command) try {
   if (count == 0 || impl_->grid.count() == 0) {
     return true;
   }
-  if (impl_->primitive_total >= kMaxFramePrimitives || impl_->draws.size() >= kMaxFrameDraws ||
+  if (impl_->primitive_total >= kMaxFramePrimitives || impl_->draws.size() == DrawList::kMaxDraws ||
       impl_->state.is_full()) {
     finish();
   }
+  impl_->start_some();
   impl_->record(command, count);
   return true;
 } catch (const std::bad_alloc&) {

@@ -2,8 +2,8 @@
 //
 // api/ records into it from the context's thread; `finish` runs the two phases on all cores (front:
 // vertex, clip, setup, bin; back: raster, fragment, merge per tile) and returns when every pixel is
-// in the surfaces. Memory is kept between frames: a steady frame allocates nothing.
-// SPDX-License-Identifier: MIT
+// in the surfaces. The workers may begin with that while draws are recorded. Memory is kept between
+// frames: a steady frame allocates nothing. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>

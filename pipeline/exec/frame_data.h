@@ -17,6 +17,7 @@
 #include "pipeline/clip/clip.h"
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
+#include "pipeline/exec/draw_list.h"
 #include "pipeline/exec/small.h"
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/tile.h"
@@ -28,35 +29,6 @@ namespace clearpipe::pipeline {
 
 inline constexpr uint32_t kPacketPrimitives = 512;
 inline constexpr uint32_t kPacketVertices = 3 * kPacketPrimitives;
-
-// What a draw needs besides its vertices; draws share it until state changes.
-struct DrawState {
-  // The same number: the vertex states differ in their matrices alone, and vertices of the draws
-  // can come out of one vertex job.
-  uint32_t vertex_group = 0;
-  const FragmentProgram* program = nullptr;
-  FragmentOutputs outputs;
-  SetupState setup;
-  ClipState clip;
-};
-
-// A recorded draw. All it points to is good until the frame is done.
-struct DrawRecord {
-  const DrawState* state = nullptr;
-  const VertexState* vertex = nullptr;  // by itself: matrices often change alone
-  // Where attributes come from, perhaps together with those of other draws; of what else a command
-  // says only whether it draws points is of interest here.
-  const DrawCommand* sources = nullptr;
-  Primitive primitive = Primitive::kTriangles;
-  IndexType index_type = IndexType::kNone;
-  uint32_t first = 0, count = 0;
-  const std::byte* indices = nullptr;
-  uint32_t index_base = 0;  // subtracted from every element index: arrays were copied
-  // Of large indexed draws (shared_vertices.h): the vertex records of the elements from
-  // `first_shared` on. Else null, and packets make their own.
-  const float* shared = nullptr;
-  uint32_t first_shared = 0;
-};
 
 struct PacketRange {
   uint32_t draw = 0;
@@ -107,8 +79,7 @@ struct FrontWorkerDeleter {
 };
 using FrontWorkerPtr = std::unique_ptr<FrontWorker, FrontWorkerDeleter>;
 FrontWorkerPtr make_front_worker();
-void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const TileGrid& grid,
-               Packet& packet);
+void run_front(FrontWorker& worker, const DrawList& draws, const TileGrid& grid, Packet& packet);
 void reset_front_worker(FrontWorker& worker);
 
 // What the tiles have to do, made when the front phase of all packets is done.
@@ -116,8 +87,7 @@ struct TileWork {
   std::vector<uint32_t> clears;  // the packets that are clears
   TileLists lists;
 };
-void make_tile_work(const std::vector<std::unique_ptr<Packet>>& packets, size_t packet_count,
-                    const TileGrid& grid, TileWork& work);
+void make_tile_work(std::span<Packet* const> packets, const TileGrid& grid, TileWork& work);
 
 // What a worker has in the back phase; used for one tile after another.
 struct BackWorker {
@@ -126,8 +96,7 @@ struct BackWorker {
 };
 
 // Runs the back phase of one tile.
-void run_back(const std::vector<DrawRecord>& draws,
-              const std::vector<std::unique_ptr<Packet>>& packets, const TileWork& work,
+void run_back(const DrawList& draws, std::span<Packet* const> packets, const TileWork& work,
               const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker);
 
 }  // namespace clearpipe::pipeline

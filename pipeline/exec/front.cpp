@@ -82,7 +82,7 @@ bool share_setup(const DrawRecord& a, const DrawRecord& b) {
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
  public:
-  void run(const std::vector<DrawRecord>& draws, const TileGrid& grid, Packet& packet) {
+  void run(const DrawList& draws, const TileGrid& grid, Packet& packet) {
     packet.bins.reset(grid, bin_scratch_);
     const std::vector<PacketRange>& ranges = packet.ranges;
     primitives_.start(0);
@@ -165,8 +165,7 @@ class FrontWorker {
   }
 
   // Ranges of draws whose vertices come out of one job.
-  void run_ranges(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
-                  Packet& packet) {
+  void run_ranges(const DrawList& draws, std::span<const PacketRange> ranges, Packet& packet) {
     const DrawRecord& draw = draws[ranges[0].draw];
     if (draw.shared != nullptr) {
       list_shared(draw, ranges[0]);
@@ -190,8 +189,7 @@ class FrontWorker {
 
   // Primitives from the records of their vertices; ranges of triangles or of lines whose draws
   // setup cannot tell apart are set up together.
-  void emit(const std::vector<DrawRecord>& draws, std::span<const PacketRange> ranges,
-            Packet& packet) {
+  void emit(const DrawList& draws, std::span<const PacketRange> ranges, Packet& packet) {
     uint32_t first = 0;
     for (size_t r = 0; r < ranges.size();) {
       const DrawRecord& draw = draws[ranges[r].draw];
@@ -354,8 +352,7 @@ FrontWorkerPtr make_front_worker() { return FrontWorkerPtr(new FrontWorker); }
 void FrontWorkerDeleter::operator()(FrontWorker* worker) const { delete worker; }
 void reset_front_worker(FrontWorker& worker) { worker.reset(); }
 
-void run_front(FrontWorker& worker, const std::vector<DrawRecord>& draws, const TileGrid& grid,
-               Packet& packet) {
+void run_front(FrontWorker& worker, const DrawList& draws, const TileGrid& grid, Packet& packet) {
   worker.run(draws, grid, packet);
 }
 

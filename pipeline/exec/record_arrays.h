@@ -21,6 +21,9 @@ class ArrayRecorder {
   // held by reference. Throws std::bad_alloc.
   void record(const DrawCommand& command, uint32_t attributes, Arena& arena, DrawRecord& draw);
 
+  // Workers begin with what is recorded.
+  void leave_room() { streams_.leave_room(); }
+
   // The frame is done.
   void reset() {
     streams_.reset();

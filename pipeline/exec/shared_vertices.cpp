@@ -18,9 +18,9 @@ constexpr uint32_t kMinPrimitives = 2 * kPacketPrimitives;
 
 }  // namespace
 
-void SharedVertices::prepare(std::vector<DrawRecord>& draws, Arena& arena) {
+void SharedVertices::prepare(DrawList& draws, size_t first, Arena& arena) {
   chunks_.clear();
-  for (size_t d = 0; d < draws.size(); ++d) {
+  for (size_t d = first; d < draws.size(); ++d) {
     DrawRecord& draw = draws[d];
     const uint32_t primitives = primitive_count(draw.primitive, draw.count);
     if (draw.index_type == IndexType::kNone || primitives < kMinPrimitives) continue;
@@ -33,14 +33,14 @@ void SharedVertices::prepare(std::vector<DrawRecord>& draws, Arena& arena) {
     float* records = arena.allocate_array<float>(count * stride);
     draw.shared = records;
     draw.first_shared = range.least - draw.index_base;
-    for (uint32_t first = 0; first < count; first += kChunk) {
-      chunks_.push_back({static_cast<uint32_t>(d), first, std::min(kChunk, count - first),
-                         records + first * stride});
+    for (uint32_t at = 0; at < count; at += kChunk) {
+      chunks_.push_back(
+          {static_cast<uint32_t>(d), at, std::min(kChunk, count - at), records + at * stride});
     }
   }
 }
 
-void SharedVertices::run(const std::vector<DrawRecord>& draws, size_t chunk) const {
+void SharedVertices::run(const DrawList& draws, size_t chunk) const {
   const Chunk& part = chunks_[chunk];
   const DrawRecord& draw = draws[part.draw];
   std::array<uint32_t, kChunk> elements;

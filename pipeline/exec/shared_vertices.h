@@ -18,13 +18,13 @@ namespace clearpipe::pipeline {
 
 class SharedVertices {
  public:
-  // Finds the draws and sets SharedRecords of theirs; the memory comes from the arena. Throws
-  // std::bad_alloc.
-  void prepare(std::vector<DrawRecord>& draws, Arena& arena);
+  // Finds the draws, from `first` on, and sets the shared records of theirs; the memory comes from
+  // the arena. Throws std::bad_alloc.
+  void prepare(DrawList& draws, size_t first, Arena& arena);
 
   // The chunks that have to be run then, in any order, on any worker.
   size_t chunk_count() const { return chunks_.size(); }
-  void run(const std::vector<DrawRecord>& draws, size_t chunk) const;
+  void run(const DrawList& draws, size_t chunk) const;
 
  private:
   static constexpr uint32_t kChunk = 1024;

@@ -136,21 +136,23 @@ TEST(SharedVertices, OfLargeDenseDraws) {
   const Grid grid(1000);
   std::vector<uint32_t> scattered = grid.indices;
   scattered[5] = 4000000000u;
-  std::vector<DrawRecord> draws(4);
-  for (DrawRecord& draw : draws) {
+  DrawList draws;
+  for (int i = 0; i < 4; ++i) {
+    DrawRecord draw;
     draw.state = &state;
     draw.vertex = &vertex;
     draw.index_type = IndexType::kUnsignedInt;
     draw.count = static_cast<uint32_t>(grid.indices.size());
     draw.indices = reinterpret_cast<const std::byte*>(grid.indices.data());
     draw.index_base = 10;
+    draws.push_back(draw);
   }
   draws[1].count = 300;
   draws[2].indices = reinterpret_cast<const std::byte*>(scattered.data());
   draws[3].index_type = IndexType::kNone;
   SharedVertices shared;
   Arena arena;
-  shared.prepare(draws, arena);
+  shared.prepare(draws, 0, arena);
   EXPECT_NE(draws[0].shared, nullptr);
   EXPECT_EQ(draws[0].first_shared, 990u);
   EXPECT_EQ(shared.chunk_count(), 2u);  // 1681 vertices

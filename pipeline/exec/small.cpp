@@ -40,8 +40,8 @@ HWY_INLINE void keep_order(SmallBatch* other, const SquareParts& pixels) {
   if (other != nullptr && other->has(pixels)) other->flush();
 }
 
-size_t add(std::byte* memory, std::byte* other_memory, const std::vector<DrawRecord>& draws,
-           const Packet& packet, std::span<const uint32_t> entries, Tile& tile) {
+size_t add(std::byte* memory, std::byte* other_memory, const DrawList& draws, const Packet& packet,
+           std::span<const uint32_t> entries, Tile& tile) {
   SmallBatch& batch = batch_of(memory);
   SmallBatch* const other = other_memory != nullptr ? &batch_of(other_memory) : nullptr;
   const SmallPrimitive* primitives = packet.small.data();
@@ -117,7 +117,7 @@ bool draws_small(const DrawRecord& draw) {
          batches_small(*draw.state->program);
 }
 
-size_t SmallShader::add(const std::vector<DrawRecord>& draws, const Packet& packet,
+size_t SmallShader::add(const DrawList& draws, const Packet& packet,
                         std::span<const uint32_t> entries, Tile& tile) {
   const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];
   const FragmentProgram* program = draws[packet.ranges[first.range].draw].state->program;

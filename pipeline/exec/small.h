@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "pipeline/fragment/program.h"
 #include "pipeline/raster/squares.h"
@@ -15,6 +14,7 @@
 
 namespace clearpipe::pipeline {
 
+class DrawList;
 struct DrawRecord;
 struct DrawState;
 struct Packet;
@@ -29,8 +29,8 @@ bool draws_small(const DrawRecord& draw);
 struct SmallKernels {
   void (*begin)(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile);
   // When the other batch, if there is one, has a pixel that is added, it is shaded first.
-  size_t (*add)(std::byte* memory, std::byte* other, const std::vector<DrawRecord>& draws,
-                const Packet& packet, std::span<const uint32_t> entries, Tile& tile);
+  size_t (*add)(std::byte* memory, std::byte* other, const DrawList& draws, const Packet& packet,
+                std::span<const uint32_t> entries, Tile& tile);
   void (*add_squares)(std::byte* memory, std::byte* other, const SetupState& state,
                       const PrimitiveRecord& primitive, const CoveredSquares& squares);
   void (*flush)(std::byte* memory);
@@ -44,8 +44,8 @@ class SmallShader {
 
   // Takes entries of a packet: as many from the first on, which has to be of a small primitive, as
   // are of small primitives of draws with one program. Returns how many that are.
-  size_t add(const std::vector<DrawRecord>& draws, const Packet& packet,
-             std::span<const uint32_t> entries, Tile& tile);
+  size_t add(const DrawList& draws, const Packet& packet, std::span<const uint32_t> entries,
+             Tile& tile);
   // Takes a primitive that is not small, of a draw with draws_small(), by its squares in the tile.
   void add(const DrawState& draw, const PrimitiveRecord& primitive, const CoveredSquares& squares,
            Tile& tile);

@@ -191,10 +191,9 @@ struct RandomDraw {
   FragmentState fragment;
   Program program;
   DrawState state;
-  std::vector<DrawRecord> draws;
+  DrawList draws;
 
-  explicit RandomDraw(Random& random)
-      : fragment(random_fragment_state(random)), program(fragment), draws(1) {
+  explicit RandomDraw(Random& random) : fragment(random_fragment_state(random)), program(fragment) {
     state.program = program.get();
     SetupState& setup = state.setup;
     setup.inputs = fragment_inputs(*state.program);
@@ -207,7 +206,9 @@ struct RandomDraw {
     setup.raster.flat_shade = random.below(5) == 0;
     setup.raster.offset_fill = random.below(5) == 0;
     setup.raster.offset_factor = 0.5f;
-    draws[0].state = &state;
+    DrawRecord draw;
+    draw.state = &state;
+    draws.push_back(draw);
   }
 };
 
@@ -351,12 +352,14 @@ TEST(Small, NarrowPrimitivesGiveTheBitsOfSingleOnes) {
 TEST(Small, TakesOneProgramAtATime) {
   const Program program, other;
   DrawState states[2];
-  std::vector<DrawRecord> draws(2);
+  DrawList draws;
   for (int i = 0; i < 2; ++i) {
     states[i].program = program.get();
     states[i].setup.inputs = fragment_inputs(*program.get());
     states[i].setup.layout = make_vertex_layout({});
-    draws[i].state = &states[i];
+    DrawRecord draw;
+    draw.state = &states[i];
+    draws.push_back(draw);
   }
   Random random(1);
   Mesh mesh = random_mesh(random, states[0].setup.layout, false);

@@ -8,6 +8,8 @@
 #include <new>
 #include <type_traits>
 
+#include "pipeline/fetch_ahead.h"
+
 namespace clearpipe::pipeline {
 
 namespace {
@@ -119,6 +121,9 @@ uint32_t VertexStream::append(const DrawCommand& command, uint32_t first, uint32
       }
     }
   }
+  constexpr uint32_t kAhead = 64;
+  fetch_to_write(memory_ + size_t{std::min(used_ + kAhead, capacity_ - count)} * stride_,
+                 size_t{count} * stride_);
   const uint32_t place = used_;
   used_ += count;
   return place;

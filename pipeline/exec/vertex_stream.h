@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,10 @@ class VertexStream {
 
   const DrawCommand* sources() const { return sources_; }
 
+  // Workers may read the vertices that there are while more are added: a fetch of whole vectors
+  // reads up to 16 bytes of what lies behind one.
+  void leave_room() { used_ = std::min(capacity_, used_ + 4); }
+
  private:
   static constexpr uint32_t kMinVertices = 64, kMaxVertices = 4096;
 
@@ -72,6 +77,10 @@ class VertexStreams {
  public:
   // The stream for a command whose draws need these attributes; null when there is none.
   VertexStream* find(const DrawCommand& command, uint32_t attributes);
+
+  void leave_room() {
+    for (size_t i = 0; i < count_; ++i) streams_[i].leave_room();
+  }
 
   // The frame is done, and the memory gone.
   void reset() { count_ = next_ = 0; }

@@ -71,13 +71,49 @@ class Pool {
       return;
     }
     std::lock_guard<std::mutex> lock(mutex_, std::adopt_lock);
-    start();
+    const bool idle = is_idle();
+    if (idle) open(task, context);
+    task(context, 0);
+    if (idle) close();
+  }
+
+  void start(WorkerTask task, void* context) {
+    if (count_ == 1 || !mutex_.try_lock()) return;
+    std::lock_guard<std::mutex> lock(mutex_, std::adopt_lock);
+    if (is_idle()) open(task, context);
+  }
+
+  void finish(WorkerTask task, void* context) {
+    task(context, 0);
+    // Workers that have another context by now have left this one.
+    if (context_.load(std::memory_order_relaxed) != context) return;
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (context_.load(std::memory_order_relaxed) == context) close();
+  }
+
+  void leave() {
+    std::lock_guard<std::mutex> lock(mutex_);
+    close();
+  }
+
+ private:
+  // places_ holds the places that are open above those that are taken.
+  static constexpr uint32_t kOpen = 1u << 16, kTakenMask = kOpen - 1;
+
+  bool is_idle() const { return places_.load(std::memory_order_acquire) == 0; }
+
+  // Under the lock, when the workers are idle.
+  void open(WorkerTask task, void* context) {
+    start_threads();
     task_ = task;
-    context_ = context;
+    context_.store(context, std::memory_order_relaxed);
     places_.store(static_cast<uint32_t>(started_) * kOpen, std::memory_order_release);
     generation_.fetch_add(1, std::memory_order_release);
     generation_.notify_all();
-    task(context, 0);
+  }
+
+  // Closes the places that are left and waits for the workers that took one.
+  void close() {
     uint32_t places = places_.fetch_and(kTakenMask, std::memory_order_acq_rel) & kTakenMask;
     const auto all_left = [&] {
       places = places_.load(std::memory_order_acquire);
@@ -86,12 +122,8 @@ class Pool {
     while (places != 0 && !look_for(all_left)) places_.wait(places, std::memory_order_acquire);
   }
 
- private:
-  // places_ holds the places that are open above those that are taken.
-  static constexpr uint32_t kOpen = 1u << 16, kTakenMask = kOpen - 1;
-
   // Starts the threads that are missing. When the system refuses, fewer work.
-  void start() {
+  void start_threads() {
     if (refused_ || started_ == count_ - 1) {
       return;
     }
@@ -127,7 +159,7 @@ class Pool {
       if (!look_for(announced)) generation_.wait(seen, std::memory_order_acquire);
       seen = generation_.load(std::memory_order_acquire);
       if (!take_place()) continue;
-      task_(context_, worker);
+      task_(context_.load(std::memory_order_relaxed), worker);
       if (places_.fetch_sub(1, std::memory_order_acq_rel) == 1) places_.notify_one();
     }
   }
@@ -137,12 +169,17 @@ class Pool {
   bool refused_ = false;
   std::mutex mutex_;
   WorkerTask task_ = nullptr;
-  void* context_ = nullptr;
+  std::atomic<void*> context_{nullptr};
   std::atomic<uint32_t> generation_{0};
   std::atomic<uint32_t> places_{0};
 };
 
 std::atomic<Pool*> the_pool{nullptr};
+
+// A child has no workers that could finish what they have begun with.
+void leave_pool_before_fork() {
+  if (Pool* existing = the_pool.load(std::memory_order_acquire)) existing->leave();
+}
 
 void forget_pool_in_child() { the_pool.store(nullptr); }
 
@@ -154,7 +191,8 @@ Pool& pool() {
     std::lock_guard<std::mutex> lock(creation);
     existing = the_pool.load(std::memory_order_acquire);
     if (existing == nullptr) {
-      std::call_once(registered, [] { pthread_atfork(nullptr, nullptr, forget_pool_in_child); });
+      std::call_once(registered,
+                     [] { pthread_atfork(leave_pool_before_fork, nullptr, forget_pool_in_child); });
       existing = new Pool;  // lives until the process ends
       the_pool.store(existing, std::memory_order_release);
     }
@@ -167,6 +205,10 @@ Pool& pool() {
 int worker_count() { return pool().count(); }
 
 void run_on_workers(WorkerTask task, void* context) { pool().run(task, context); }
+
+void start_on_workers(WorkerTask task, void* context) { pool().start(task, context); }
+
+void finish_on_workers(WorkerTask task, void* context) { pool().finish(task, context); }
 
 void wait_until(std::atomic<uint32_t>& value, uint32_t wanted) {
   uint32_t now = value.load(std::memory_order_acquire);
