@@ -1,4 +1,4 @@
-// What each tile of a frame has to draw: the lists of all packets, by tile. Made between the front
+// What each of some tiles has to draw: the lists of all packets, by tile. Made between the front
 // and the back phase, so that a tile looks at no packet that does not touch it.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -21,38 +21,42 @@ class TileLists {
     uint32_t packet;
   };
 
-  // Takes the lists of `count` packets; bins_of(i) gives the Bins of packet i, null for one
-  // without.
+  // Takes the lists of `count` packets, for tiles from number `first` to `end` - 1; bins_of(i)
+  // gives the Bins of packet i, null for one without.
   template <class BinsOf>
-  void build(const TileGrid& grid, size_t count, const BinsOf& bins_of) {
-    start_.assign(static_cast<size_t>(grid.count()) + 1, 0);
-    size_t total = 0;
+  void build(uint32_t first, uint32_t end, size_t count, const BinsOf& bins_of) {
+    first_ = first;
+    start_.assign(size_t{end - first} + 1, 0);
     for (size_t i = 0; i < count; ++i) {
       const Bins* bins = bins_of(i);
       if (bins == nullptr) continue;
-      for (const Bins::List& list : bins->lists()) ++start_[list.tile];
-      total += bins->lists().size();
+      for (const Bins::List& list : bins->lists()) {
+        if (list.tile - first < end - first) ++start_[list.tile - first];
+      }
     }
-    uint32_t end = 0;
-    for (uint32_t& start : start_) start = end += start;
+    uint32_t total = 0;
+    for (uint32_t& start : start_) start = total += start;
     // Filled from behind: each place of start_ moves from the end of its tile to its beginning.
     references_.resize(total);
     for (size_t i = count; i-- > 0;) {
       const Bins* bins = bins_of(i);
       if (bins == nullptr) continue;
       for (const Bins::List& list : bins->lists()) {
-        references_[--start_[list.tile]] = {bins->primitives(list).data(), list.count,
-                                            static_cast<uint32_t>(i)};
+        if (list.tile - first >= end - first) continue;
+        references_[--start_[list.tile - first]] = {bins->primitives(list).data(), list.count,
+                                                    static_cast<uint32_t>(i)};
       }
     }
   }
 
   // In the order of the packets.
-  std::span<const Reference> tile(int index) const {
-    return {references_.data() + start_[index], references_.data() + start_[index + 1]};
+  std::span<const Reference> tile(uint32_t number) const {
+    const uint32_t* const start = &start_[number - first_];
+    return {references_.data() + start[0], references_.data() + start[1]};
   }
 
  private:
+  uint32_t first_ = 0;
   std::vector<uint32_t> start_;  // per tile, its first place in references_; one more at the end
   std::vector<Reference, ImageAllocator<Reference>> references_;
 };

@@ -225,14 +225,16 @@ void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
 
 }  // namespace
 
-void make_tile_work(std::span<Packet* const> packets, const TileGrid& grid, TileWork& work) {
-  work.clears.clear();
+void TileWork::make(size_t number, std::span<Packet* const> packets) {
+  Part& part = parts_[number];
+  part.clears.clear();
   for (size_t i = 0; i < packets.size(); ++i) {
-    if (packets[i]->is_clear) work.clears.push_back(static_cast<uint32_t>(i));
+    if (packets[i]->is_clear) part.clears.push_back(static_cast<uint32_t>(i));
   }
-  work.lists.build(grid, packets.size(), [&](size_t i) -> const Bins* {
-    return packets[i]->is_clear ? nullptr : &packets[i]->bins;
-  });
+  part.lists.build(
+      static_cast<uint32_t>(tiles_ * number / parts_.size()),
+      static_cast<uint32_t>(tiles_ * (number + 1) / parts_.size()), packets.size(),
+      [&](size_t i) -> const Bins* { return packets[i]->is_clear ? nullptr : &packets[i]->bins; });
 }
 
 void run_back(const DrawList& draws, std::span<Packet* const> packets, const TileWork& work,
@@ -246,23 +248,23 @@ void run_back(const DrawList& draws, std::span<Packet* const> packets, const Til
   TileDepth depth(planes.depth_stencil(0));
   // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
   // what came before it.
-  const std::span<const TileLists::Reference> lists = work.lists.tile(tile_index);
+  const auto tile = static_cast<size_t>(tile_index);
+  const std::span<const TileLists::Reference> lists = work.lists(tile);
+  const std::span<const uint32_t> clears = work.clears(tile);
   size_t clear = 0, next = 0;
-  for (size_t i = work.clears.size(); i-- > 0;) {
-    if (!hides_all(packets[work.clears[i]]->clear, target, planes.tile())) continue;
+  for (size_t i = clears.size(); i-- > 0;) {
+    if (!hides_all(packets[clears[i]]->clear, target, planes.tile())) continue;
     clear = i;
-    next = static_cast<size_t>(std::find_if(lists.begin(), lists.end(),
-                                            [&](const TileLists::Reference& list) {
-                                              return list.packet > work.clears[i];
-                                            }) -
-                               lists.begin());
+    next = static_cast<size_t>(
+        std::find_if(lists.begin(), lists.end(),
+                     [&](const TileLists::Reference& list) { return list.packet > clears[i]; }) -
+        lists.begin());
     break;
   }
-  while (next < lists.size() || clear < work.clears.size()) {
-    if (clear < work.clears.size() &&
-        (next == lists.size() || work.clears[clear] < lists[next].packet)) {
+  while (next < lists.size() || clear < clears.size()) {
+    if (clear < clears.size() && (next == lists.size() || clears[clear] < lists[next].packet)) {
       worker.small.flush();
-      clear_planes(packets[work.clears[clear++]]->clear, target, planes, depth);
+      clear_planes(packets[clears[clear++]]->clear, target, planes, depth);
       continue;
     }
     fetch_ahead(draws, packets, lists, next);

@@ -17,12 +17,14 @@ void Execution::prepare(DrawList& draws, size_t first_draw,
   grid_ = grid;
   packets_.clear();
   for (const std::unique_ptr<Packet>& packet : packets) packets_.push_back(packet.get());
-  chunks_done_ = packets_done_ = tiles_ready_ = tiles_done_ = 0;
+  chunks_done_ = packets_done_ = parts_done_ = tiles_done_ = 0;
   failed_ = false;
   shared_vertices_.prepare(draws, first_draw, arena);
   const auto workers = static_cast<size_t>(worker_count());
   chunks_.divide(shared_vertices_.chunk_count(), workers);
   packet_shares_.divide(packets_.size(), workers);
+  tile_work_.divide(grid, workers);
+  parts_.divide(workers, workers);
   tiles_.divide(static_cast<size_t>(grid.count()), workers);
 }
 
@@ -34,6 +36,7 @@ bool Execution::run() {
     run_chunks(0);
     run_packets(0);
     if (is_little()) {
+      run_parts(0);
       run_tiles(0);
       return !failed_;
     }
@@ -60,6 +63,17 @@ void Execution::forget() {
   for (const FrontWorkerPtr& worker : front_workers_) reset_front_worker(*worker);
 }
 
+namespace {
+
+// Of so many pieces of a phase, some more are done.
+void note_done(std::atomic<uint32_t>& count, uint32_t more, size_t all) {
+  if (more != 0 && count.fetch_add(more, std::memory_order_acq_rel) + more == all) {
+    count.notify_all();
+  }
+}
+
+}  // namespace
+
 // All phases, so that a worker wakes up once.
 void Execution::task(void* context, int number) {
   Execution& execution = *static_cast<Execution*>(context);
@@ -68,7 +82,9 @@ void Execution::task(void* context, int number) {
   wait_until(execution.chunks_done_,
              static_cast<uint32_t>(execution.shared_vertices_.chunk_count()));
   execution.run_packets(worker);
-  wait_until(execution.tiles_ready_, 1);
+  wait_until(execution.packets_done_, static_cast<uint32_t>(execution.packets_.size()));
+  execution.run_parts(worker);
+  wait_until(execution.parts_done_, static_cast<uint32_t>(worker_count()));
   execution.run_tiles(worker);
 }
 
@@ -93,10 +109,7 @@ void Execution::make_workers(size_t count) {
 void Execution::run_chunks(size_t worker) {
   uint32_t done = 0;
   for (size_t i = 0; chunks_.take(worker, i); ++done) shared_vertices_.run(*draws_, i);
-  const uint32_t total = static_cast<uint32_t>(shared_vertices_.chunk_count());
-  if (done != 0 && chunks_done_.fetch_add(done, std::memory_order_acq_rel) + done == total) {
-    chunks_done_.notify_all();
-  }
+  note_done(chunks_done_, done, shared_vertices_.chunk_count());
 }
 
 void Execution::run_packets(size_t worker) {
@@ -105,12 +118,15 @@ void Execution::run_packets(size_t worker) {
     if (packets_[i]->is_clear) continue;
     unless_failed([&] { run_front(*front_workers_[worker], *draws_, grid_, *packets_[i]); });
   }
-  const uint32_t total = static_cast<uint32_t>(packets_.size());
-  if (done != 0 && packets_done_.fetch_add(done, std::memory_order_acq_rel) + done == total) {
-    unless_failed([&] { make_tile_work(packets_, grid_, tile_work_); });
-    tiles_ready_.store(1, std::memory_order_release);
-    tiles_ready_.notify_all();
+  note_done(packets_done_, done, packets_.size());
+}
+
+void Execution::run_parts(size_t worker) {
+  uint32_t done = 0;
+  for (size_t i = 0; parts_.take(worker, i); ++done) {
+    unless_failed([&] { tile_work_.make(i, packets_); });
   }
+  note_done(parts_done_, done, static_cast<size_t>(worker_count()));
 }
 
 void Execution::run_tiles(size_t worker) {

@@ -1,5 +1,5 @@
 // Running packets of a frame on all cores: the vertices that draws share, the front phase of each
-// packet, the back phase of each tile.
+// packet, the lists of what each tile has to draw, the back phase of each tile.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -54,6 +54,7 @@ class Execution {
   void make_workers(size_t count);
   void run_chunks(size_t worker);
   void run_packets(size_t worker);
+  void run_parts(size_t worker);
   void run_tiles(size_t worker);
   bool is_little() const;
 
@@ -65,8 +66,8 @@ class Execution {
   TileWork tile_work_;
   std::vector<FrontWorkerPtr> front_workers_;
   std::vector<std::unique_ptr<BackWorker>> back_workers_;
-  Shares chunks_, packet_shares_, tiles_;
-  std::atomic<uint32_t> chunks_done_{0}, packets_done_{0}, tiles_ready_{0}, tiles_done_{0};
+  Shares chunks_, packet_shares_, parts_, tiles_;
+  std::atomic<uint32_t> chunks_done_{0}, packets_done_{0}, parts_done_{0}, tiles_done_{0};
   std::atomic<bool> failed_{false};
   bool started_ = false;
 };

@@ -82,12 +82,33 @@ FrontWorkerPtr make_front_worker();
 void run_front(FrontWorker& worker, const DrawList& draws, const TileGrid& grid, Packet& packet);
 void reset_front_worker(FrontWorker& worker);
 
-// What the tiles have to do, made when the front phase of all packets is done.
-struct TileWork {
-  std::vector<uint32_t> clears;  // the packets that are clears
-  TileLists lists;
+// What the tiles have to do, made when the front phase of all packets is done: in parts, as
+// Shares::divide() makes them of the tiles, which workers can make at the same time.
+class TileWork {
+ public:
+  void divide(const TileGrid& grid, size_t parts) {
+    tiles_ = static_cast<size_t>(grid.count());
+    parts_.resize(parts);
+  }
+  void make(size_t part, std::span<Packet* const> packets);
+
+  std::span<const TileLists::Reference> lists(size_t tile) const {
+    const Part& part = parts_[((tile + 1) * parts_.size() - 1) / tiles_];
+    return part.lists.tile(static_cast<uint32_t>(tile));
+  }
+  // The packets that are clears.
+  std::span<const uint32_t> clears(size_t tile) const {
+    return parts_[((tile + 1) * parts_.size() - 1) / tiles_].clears;
+  }
+
+ private:
+  struct Part {
+    std::vector<uint32_t> clears;
+    TileLists lists;
+  };
+  size_t tiles_ = 0;
+  std::vector<Part> parts_;
 };
-void make_tile_work(std::span<Packet* const> packets, const TileGrid& grid, TileWork& work);
 
 // What a worker has in the back phase; used for one tile after another.
 struct BackWorker {
