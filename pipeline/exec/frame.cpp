@@ -12,6 +12,7 @@
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/record_arrays.h"
 #include "pipeline/exec/workers.h"
+#include "pipeline/fetch_ahead.h"
 
 namespace clearpipe::pipeline {
 
@@ -109,6 +110,10 @@ struct Frame::Impl {
       if (!packet.ranges.empty() && packet.ranges.back().draw == draw_index) {
         packet.ranges.back().primitive_count += part;
       } else {
+        constexpr size_t kAhead = 16;
+        if (packet.ranges.size() + kAhead < packet.ranges.capacity()) {
+          fetch_to_write(packet.ranges.data() + packet.ranges.size() + kAhead);
+        }
         packet.ranges.push_back({draw_index, first, part});
       }
       packet.primitive_count += part;
