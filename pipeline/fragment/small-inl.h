@@ -53,6 +53,8 @@ class SmallBatch {
         replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
                   !program.has_logic_op),
         in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)),
+        solid_(in_order_ && program.inputs.texture_units == 0 &&
+               program.fog_mode == FogMode::kNone && !program.alpha_test && !program.srgb),
         lane_of_(scratch.lane_of),
         depth_of_(scratch.depth_of),
         batch_(scratch.batch) {
@@ -111,14 +113,8 @@ class SmallBatch {
   // Shades what was added.
   void flush() {
     end_group();
-    if (count_ != 0 && program_.step_count != 0) {
-      batch_.count = count_;
-      pad();
-      shade();
-    }
-    count_ = 0;
+    shade_batch();
     pending_.forget();
-    held_.forget();
   }
 
  private:
@@ -130,16 +126,6 @@ class SmallBatch {
   using LanePlanes = setup::HWY_NAMESPACE::LanePlanes;
   static constexpr int kLanes = SmallGroup::kLanes;
   static constexpr int kRoom = kBatchSize - kLanes + 1;  // the last vector may be stored whole
-
-  // Whether primitives of two draws can be in one group. Their programs are the same.
-  static bool makes_same_planes(const SetupState& a, const SetupState& b) {
-    if (&a == &b) return true;
-    const RasterState &s = a.raster, &t = b.raster;
-    return std::equal(std::begin(a.layout.texture_offset), std::end(a.layout.texture_offset),
-                      std::begin(b.layout.texture_offset)) &&
-           a.mirror_height == b.mirror_height && s.flat_shade == t.flat_shade && !s.offset_fill &&
-           !t.offset_fill && s.point_sprite == t.point_sprite && s.coord_replace == t.coord_replace;
-  }
 
   // Where a vector of fragments is: columns and rows of the tile, and relative to the reference of
   // their primitives, from whole numbers, as the chain has it.
@@ -169,6 +155,12 @@ class SmallBatch {
     const VecF half = hn::Set(d, 0.5f);
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
     const int count = program_.early_depth ? list_what_passes(planes, to_x, to_y) : list_all();
+    if (solid_ && planes.flat_colour) {
+      write_solid(planes, count);
+      group_.clear();
+      pending_.forget();
+      return;
+    }
     for (int i = 0; i < count; i += kLanes) {
       const int at = count_ + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
@@ -186,6 +178,20 @@ class SmallBatch {
       held_.note(pending_);
       pending_.forget();
     }
+  }
+
+  // Primitives of one colour each that no stage changes: what has been listed is written at once,
+  // after what the batch holds.
+  HWY_INLINE void write_solid(const LanePlanes& planes, int count) {
+    const int32_t* const offset = offset_ + count_;
+    shade_batch();
+    const TagI d;
+    const VecI pixel = pack_lanes(planes.colour, program_.format);
+    auto* const pixels = reinterpret_cast<int32_t*>(batch_.colour);
+    for (int i = 0; i < count; i += kLanes) {
+      hn::Store(FragmentPlanes(hn::Load(d, lane_of_ + i))(pixel), d, pixels + i);
+    }
+    scatter_pixels(batch_.colour, offset, count, tile_.colour);
   }
 
   // Coordinates without a q of their own are divided by what colours are.
@@ -327,6 +333,16 @@ class SmallBatch {
     }
   }
 
+  void shade_batch() {
+    if (count_ != 0 && program_.step_count != 0) {
+      batch_.count = count_;
+      pad();
+      shade();
+    }
+    held_.forget();
+    count_ = 0;
+  }
+
   // Stages work on whole vectors: the places behind the last fragment are dead.
   void pad() {
     padded_ = std::min((batch_.count + 63) / 64 * 64, kBatchSize);
@@ -461,6 +477,7 @@ class SmallBatch {
   // And the last that has passed all tests stays: a pixel may be in the batch more than once, but
   // not in a group.
   const bool in_order_;
+  const bool solid_;  // the colours of primitives are those of their pixels
   bool needs_lod_ = false;
   bool q_is_inv_w_[kSmallUnits] = {};  // of the group, whose w is 1 without perspective
   int count_ = 0, padded_ = 0;         // fragments

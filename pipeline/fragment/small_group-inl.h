@@ -103,6 +103,16 @@ class LanesInFront {
   VecI place_;
 };
 
+// Whether primitives of two draws can be in one group. Their programs are the same.
+inline bool makes_same_planes(const SetupState& a, const SetupState& b) {
+  if (&a == &b) return true;
+  const RasterState &s = a.raster, &t = b.raster;
+  return std::equal(std::begin(a.layout.texture_offset), std::end(a.layout.texture_offset),
+                    std::begin(b.layout.texture_offset)) &&
+         a.mirror_height == b.mirror_height && s.flat_shade == t.flat_shade && !s.offset_fill &&
+         !t.offset_fill && s.point_sprite == t.point_sprite && s.coord_replace == t.coord_replace;
+}
+
 // Primitives of one kind, one in each lane, and their pixels: indices into a tile's planes, and in
 // which lane the primitive is.
 class SmallGroup {

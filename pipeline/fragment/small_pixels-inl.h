@@ -1,5 +1,6 @@
 // Pixels at any places of a tile's plane, from there to a batch of fragments (small-inl.h) and
-// back. `offset` holds their indices into the plane. SPDX-License-Identifier: MIT
+// back, and those of one colour. `offset` holds their indices into the plane.
+// SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_SMALL_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_SMALL_PIXELS_INL_H_
 #undef CLEARPIPE_FRAGMENT_SMALL_PIXELS_INL_H_
@@ -11,6 +12,10 @@
 
 #include <cstddef>
 #include <cstdint>
+
+#include "pipeline/fragment/colour-inl.h"
+#include "pipeline/fragment/write-inl.h"
+#include "pipeline/setup/lane_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -57,6 +62,24 @@ HWY_INLINE void scatter_live_pixels(const uint32_t* values, const int32_t* offse
     uint32_t* to = live[i] != 0 ? plane + offset[i] : &nowhere;
     *to = values[i];
   });
+}
+
+// The pixels that flat colours become where no stage changes them, a primitive in each lane.
+HWY_INLINE hn::Vec<hn::ScalableTag<int32_t>> pack_lanes(
+    const setup::HWY_NAMESPACE::LanePlane (&colour)[4], ColourFormat format) {
+  const hn::ScalableTag<float> d;
+  const hn::ScalableTag<int32_t> di;
+  const hn::ScalableTag<uint32_t> du;
+  const hn::Rebind<int16_t, decltype(d)> d16;
+  const auto byte = [&](const setup::HWY_NAMESPACE::LanePlane& plane) HWY_ATTR {
+    const auto rounded = hn::DemoteTo(d16, round_colour(d, plane.value));
+    return hn::BitCast(du, hn::PromoteTo(di, to_unorm8(d16, rounded)));
+  };
+  const auto low = hn::Or(byte(colour[0]), hn::ShiftLeft<8>(byte(colour[1])));
+  const auto high = hn::Or(byte(colour[2]), hn::ShiftLeft<8>(byte(colour[3])));
+  const auto pixels = hn::Or(low, hn::ShiftLeft<16>(high));
+  if (format == ColourFormat::kRgba8) return hn::BitCast(di, pixels);
+  return hn::BitCast(di, truncate_colour(du, truncation_of(format), pixels));
 }
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
