@@ -195,6 +195,7 @@ class FrontWorker {
       const DrawRecord& draw = draws[ranges[r].draw];
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
+      draws_narrow_ = draws_narrow(draw);
       size_t end = r;
       uint32_t count = 0;
       while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
@@ -313,7 +314,7 @@ class FrontWorker {
   }
 
   void add(PrimitiveRecord& record, Packet& packet) {
-    record.narrow = record.narrow && draws_small_;
+    record.narrow = record.narrow && draws_narrow_;
     packet.bins.add(record, static_cast<uint32_t>(primitives_.size()));
     primitives_.push_back(record);
   }
@@ -336,7 +337,8 @@ class FrontWorker {
   ArenaLists<PrimitiveRecord> primitives_;
   ArenaLists<SmallPrimitive> small_;
   ArenaLists<const float*> range_records_;
-  bool draws_small_ = false;  // what is small in the draw at hand becomes a small primitive
+  // What is small in the draw at hand becomes a small primitive; what is narrow stays so.
+  bool draws_small_ = false, draws_narrow_ = false;
   uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
   uint32_t run_count_ = 0;

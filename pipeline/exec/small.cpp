@@ -117,6 +117,12 @@ bool draws_small(const DrawRecord& draw) {
          batches_small(*draw.state->program);
 }
 
+bool draws_narrow(const DrawRecord& draw) {
+  const FragmentCoverage coverage = draw.state->setup.coverage;
+  return (coverage == FragmentCoverage::kCentre || coverage == FragmentCoverage::kSmooth) &&
+         batches_small(*draw.state->program);
+}
+
 size_t SmallShader::add(const DrawList& draws, const Packet& packet,
                         std::span<const uint32_t> entries, Tile& tile) {
   const SmallPrimitive& first = packet.small[entries[0] & ~kSmallEntry];

@@ -25,6 +25,9 @@ inline constexpr uint32_t kSmallEntry = 0x80000000u;
 // Whether what a draw makes small is made a small primitive.
 bool draws_small(const DrawRecord& draw);
 
+// Whether what is narrow is shaded with that.
+bool draws_narrow(const DrawRecord& draw);
+
 // The kernels of one SIMD target. `memory` holds a batch.
 struct SmallKernels {
   void (*begin)(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile);
@@ -46,7 +49,7 @@ class SmallShader {
   // are of small primitives of draws with one program. Returns how many that are.
   size_t add(const DrawList& draws, const Packet& packet, std::span<const uint32_t> entries,
              Tile& tile);
-  // Takes a primitive that is not small, of a draw with draws_small(), by its squares in the tile.
+  // Takes a primitive that is not small, of a draw with draws_narrow(), by its squares in the tile.
   void add(const DrawState& draw, const PrimitiveRecord& primitive, const CoveredSquares& squares,
            Tile& tile);
   void flush();

@@ -97,9 +97,9 @@ FragmentState random_fragment_state(Random& random) {
 // A program of its own.
 class Program {
  public:
-  explicit Program(const FragmentState& state = {})
-      : program_(make_fragment_program(state, {true, true}, FragmentCoverage::kCentre),
-                 destroy_fragment_program) {}
+  explicit Program(const FragmentState& state = {},
+                   FragmentCoverage coverage = FragmentCoverage::kCentre)
+      : program_(make_fragment_program(state, {true, true}, coverage), destroy_fragment_program) {}
   const FragmentProgram* get() const { return program_.get(); }
 
  private:
@@ -193,9 +193,11 @@ struct RandomDraw {
   DrawState state;
   DrawList draws;
 
-  explicit RandomDraw(Random& random) : fragment(random_fragment_state(random)), program(fragment) {
+  explicit RandomDraw(Random& random, FragmentCoverage coverage = FragmentCoverage::kCentre)
+      : fragment(random_fragment_state(random)), program(fragment, coverage) {
     state.program = program.get();
     SetupState& setup = state.setup;
+    setup.coverage = coverage;
     setup.inputs = fragment_inputs(*state.program);
     setup.mirror_height = 400;
     VertexState vertex;
@@ -346,6 +348,61 @@ TEST(Small, NarrowPrimitivesGiveTheBitsOfSingleOnes) {
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
   }
   EXPECT_GT(narrow, 5000);
+}
+
+// An antialiased point or line that touches the tile, or nearly.
+bool random_smooth(Random& random, const SetupState& state, float* records, PrimitiveRecord& out) {
+  const int stride = state.layout.stride;
+  const float x = kTileX + random.real(-4, kTileWidth + 4);
+  const float y = kTileY + random.real(-4, kTileHeight + 4);
+  const float dx = random.real(-60, 60), dy = random.below(5) == 0 ? 0 : random.real(-40, 40);
+  for (int k = 0; k < 2; ++k) {
+    float* record = records + k * stride;
+    for (int f = 0; f < stride; ++f) record[f] = random.real(0, 1);
+    record[vertex_record::kWindow] = x + (k == 0 ? 0 : dx);
+    record[vertex_record::kWindow + 1] = 400 - (y + (k == 0 ? 0 : dy));
+    record[vertex_record::kPointSize] = random.real(0.5f, 18);
+    record[vertex_record::kOutcode] = 0;
+  }
+  return random.coin() ? setup_line(state, records, records + stride, out)
+                       : setup_point(state, records, out);
+}
+
+// Antialiased points and lines, many at once, against each by itself.
+TEST(Small, AntialiasedPrimitivesGiveTheBitsOfSingleOnes) {
+  const auto shader = std::make_unique<SmallShader>();
+  int points = 0, lines = 0;
+  for (uint32_t seed = 3000; seed < 3100; ++seed) {
+    Random random(seed);
+    RandomDraw random_draw(random, FragmentCoverage::kSmooth);
+    DrawState& draw = random_draw.state;
+    if (!draws_narrow(random_draw.draws[0])) continue;
+    ASSERT_FALSE(draws_small(random_draw.draws[0]));
+    draw.setup.bounds = {0, 0, kTileX + kTileWidth - random.below(9), kTileY + kTileHeight};
+    draw.setup.raster.line_width = random.real(0.5f, 7);
+    OwnTile tile = random_tile(random), expected = tile;
+    std::vector<std::vector<float>> records;
+    for (int i = 0; i < 120; ++i) {
+      PrimitiveRecord primitive;
+      records.emplace_back(size_t{2} * draw.setup.layout.stride);
+      Coverage coverage;
+      CoveredSquares squares;
+      if (!random_smooth(random, draw.setup, records.back().data(), primitive) ||
+          !cover_tile(primitive, tile.x, tile.y, coverage)) {
+        continue;
+      }
+      ASSERT_TRUE(cover_squares(primitive, tile.x, tile.y, squares));
+      PrimitivePlanes planes;
+      make_planes(draw.setup, primitive, planes);
+      shade(*draw.program, planes, coverage, expected);
+      shader->add(draw, primitive, squares, tile);
+      ++(primitive.kind == PrimitiveKind::kPoint ? points : lines);
+    }
+    shader->flush();
+    ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
+  }
+  EXPECT_GT(points, 2000);
+  EXPECT_GT(lines, 2000);
 }
 
 // What is taken at once ends where a primitive is not small, or of a draw with another program.

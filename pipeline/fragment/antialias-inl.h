@@ -35,11 +35,11 @@ HWY_INLINE V clamp01(D d, V v) {
 //
 //   sum over k of |[-h, h] and [u - 1/2, u + 1/2]| / 16,  h^2 = r^2 - (v + (k + 1/2)/16 - 1/2)^2
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V circle_coverage(D d, float radius, V x, V y) {
+HWY_INLINE V circle_coverage(D d, V radius, V x, V y) {
   constexpr int kChords = 16;
   const V u = hn::Max(hn::Abs(x), hn::Abs(y)), v = hn::Min(hn::Abs(x), hn::Abs(y));
   const V left = hn::Sub(u, hn::Set(d, 0.5f)), right = hn::Add(u, hn::Set(d, 0.5f));
-  const V square = hn::Set(d, radius * radius);
+  const V square = hn::Mul(radius, radius);
   V sum = hn::Zero(d);
   for (int k = 0; k < kChords; ++k) {
     const V at = hn::Add(v, hn::Set(d, (static_cast<float>(k) + 0.5f) / kChords - 0.5f));
@@ -50,8 +50,10 @@ HWY_INLINE V circle_coverage(D d, float radius, V x, V y) {
   return hn::Mul(sum, hn::Set(d, 1.0f / kChords));
 }
 
-struct Corner {
-  float x, y;
+// An edge from p to q, and how x changes with y along it.
+template <class V>
+struct AreaEdge {
+  V px, py, qy, slope;
 };
 
 // The share of one edge, from p to q, in the area of a polygon inside the unit square whose lower
@@ -62,11 +64,10 @@ struct Corner {
 // Along the edge x is linear in y, so the mean of the integrand is (F(u1) - F(u0)) / (u1 - u0) with
 // u = x - left at the ends and F its antiderivative, F(u) = c * (u - c/2), c = clamp(u, 0, 1).
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V edge_share(D d, const Corner& p, const Corner& q, V left, V bottom) {
-  const V half = hn::Set(d, 0.5f);
-  const V px = hn::Sub(hn::Set(d, p.x), left), py = hn::Sub(hn::Set(d, p.y), bottom);
-  const V qy = hn::Sub(hn::Set(d, q.y), bottom);
-  const V slope = hn::Set(d, q.y != p.y ? (q.x - p.x) / (q.y - p.y) : 0.0f);
+HWY_INLINE V edge_share(D d, const AreaEdge<V>& edge, V left, V bottom) {
+  const V half = hn::Set(d, 0.5f), slope = edge.slope;
+  const V px = hn::Sub(edge.px, left), py = hn::Sub(edge.py, bottom);
+  const V qy = hn::Sub(edge.qy, bottom);
   const V y0 = clamp01(d, py), y1 = clamp01(d, qy);
   const V u0 = hn::Add(px, hn::Mul(hn::Sub(y0, py), slope));
   const V u1 = hn::Add(px, hn::Mul(hn::Sub(y1, py), slope));
@@ -81,40 +82,70 @@ HWY_INLINE V edge_share(D d, const Corner& p, const Corner& q, V left, V bottom)
   return hn::Mul(hn::Sub(y1, y0), clamp01(d, mean));
 }
 
-// The corners of the rectangle, counter-clockwise.
-inline void rectangle_corners(const SmoothRegion& region, Corner corners[4]) {
-  const float length = std::sqrt(region.dx * region.dx + region.dy * region.dy);
-  const float scale = region.half_width / length;
-  const float nx = -region.dy * scale, ny = region.dx * scale;
-  corners[0] = {-nx, -ny};
-  corners[1] = {region.dx - nx, region.dy - ny};
-  corners[2] = {region.dx + nx, region.dy + ny};
-  corners[3] = {nx, ny};
+// What a fragment's primitive covers (SmoothRegion).
+template <class V>
+struct SmoothShape {
+  bool is_circle;
+  V radius;
+  AreaEdge<V> edge[4];  // of the rectangle, counter-clockwise
+};
+
+template <class V>
+HWY_INLINE SmoothShape<V> smooth_shape(bool is_circle, V half_width, V dx, V dy) {
+  SmoothShape<V> shape;
+  shape.is_circle = is_circle;
+  shape.radius = half_width;
+  if (is_circle) return shape;
+  const V length = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
+  const V scale = hn::Div(half_width, length);
+  const V nx = hn::Mul(hn::Neg(dy), scale), ny = hn::Mul(dx, scale);
+  const V x[4] = {hn::Neg(nx), hn::Sub(dx, nx), hn::Add(dx, nx), nx};
+  const V y[4] = {hn::Neg(ny), hn::Sub(dy, ny), hn::Add(dy, ny), ny};
+  for (int p = 0; p < 4; ++p) {
+    const int q = (p + 1) % 4;
+    const V slope = hn::Div(hn::Sub(x[q], x[p]), hn::Sub(y[q], y[p]));
+    shape.edge[p] = {x[p], y[p], y[q], hn::IfThenElseZero(hn::Ne(y[q], y[p]), slope)};
+  }
+  return shape;
 }
 
-// The coverage of each fragment; those with none (less than half a step of a colour) are not
-// produced.
+// How much of the pixel around (x, y) is covered, relative to the region's reference.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Vec<hn::Rebind<int16_t, D>> covered_share(D d, const SmoothShape<V>& shape, V x,
+                                                         V y) {
+  V area = hn::Zero(d);
+  if (shape.is_circle) {
+    area = circle_coverage(d, shape.radius, x, y);
+  } else {
+    const V left = hn::Sub(x, hn::Set(d, 0.5f)), bottom = hn::Sub(y, hn::Set(d, 0.5f));
+    for (const AreaEdge<V>& edge : shape.edge) {
+      area = hn::Add(area, edge_share(d, edge, left, bottom));
+    }
+  }
+  return to_colour(hn::Rebind<int16_t, D>(), d, area);
+}
+
+// Fragments with no coverage (less than half a step of a colour) are not produced.
+HWY_INLINE void drop_uncovered(FragmentBatch& batch) {
+  const hn::ScalableTag<int16_t> d;
+  for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
+    const auto covered = hn::Gt(hn::Load(d, batch.coverage + i), hn::Zero(d));
+    const auto live = hn::And(hn::Load(d, batch.live + i), hn::VecFromMask(d, covered));
+    hn::Store(live, d, batch.live + i);
+  }
+}
+
+// The coverage of each fragment of a primitive.
 inline void smooth_coverage(const SmoothRegion& region, FragmentBatch& batch) {
   const hn::ScalableTag<float> d;
   const hn::Rebind<int16_t, decltype(d)> d16;
-  Corner corners[4] = {};
-  if (!region.is_circle) rectangle_corners(region, corners);
+  const auto shape = smooth_shape(region.is_circle, hn::Set(d, region.half_width),
+                                  hn::Set(d, region.dx), hn::Set(d, region.dy));
   for (int i = 0; i < batch.count; i += static_cast<int>(hn::Lanes(d))) {
     const auto x = hn::Load(d, batch.x + i), y = hn::Load(d, batch.y + i);
-    auto area = hn::Zero(d);
-    if (region.is_circle) {
-      area = circle_coverage(d, region.half_width, x, y);
-    } else {
-      const auto left = hn::Sub(x, hn::Set(d, 0.5f)), bottom = hn::Sub(y, hn::Set(d, 0.5f));
-      for (int e = 0; e < 4; ++e) {
-        area = hn::Add(area, edge_share(d, corners[e], corners[(e + 1) % 4], left, bottom));
-      }
-    }
-    const auto coverage = to_colour(d16, d, area);
-    const auto covered = hn::VecFromMask(d16, hn::Gt(coverage, hn::Zero(d16)));
-    hn::Store(coverage, d16, batch.coverage + i);
-    hn::Store(hn::And(hn::Load(d16, batch.live + i), covered), d16, batch.live + i);
+    hn::Store(covered_share(d, shape, x, y), d16, batch.coverage + i);
   }
+  drop_uncovered(batch);
 }
 
 // 3.9: A = coverage * A.

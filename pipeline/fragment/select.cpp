@@ -183,11 +183,10 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
   static const bool allowed = fused_allowed();
   const bool chain_only =
       target.multisampled || target.srgb || (program->depth_test && target.depth_bits == 32) ||
-      program->antialiased ||
       std::any_of(state.unit.begin(), state.unit.end(),
                   [](const TextureUnit& unit) { return unit.enabled && (unit.cube || unit.srgb); });
   if (allowed && !chain_only) {
-    select_fused(*program);
+    if (!program->antialiased) select_fused(*program);
     program->batches_small = (program->inputs.texture_units >> kSmallUnits) == 0;
   }
   program->usage = usage_of(*program);

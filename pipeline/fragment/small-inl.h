@@ -54,7 +54,8 @@ class SmallBatch {
                   !program.has_logic_op),
         in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)),
         solid_(in_order_ && program.inputs.texture_units == 0 &&
-               program.fog_mode == FogMode::kNone && !program.alpha_test && !program.srgb),
+               program.fog_mode == FogMode::kNone && !program.alpha_test && !program.srgb &&
+               !program.antialiased),
         lane_of_(scratch.lane_of),
         depth_of_(scratch.depth_of),
         batch_(scratch.batch) {
@@ -165,11 +166,12 @@ class SmallBatch {
       const int at = count_ + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
       const Places p = places_of(hn::LoadU(di, offset_ + at), of(to_x), of(to_y));
+      if (program_.antialiased) find_coverage(planes, of, p.x, p.y, at);
       evaluate_varyings(planes, of, p.x, p.y, at);
       if (needs_lod_) {
         const VecI left = hn::AndNot(hn::Set(di, 1), hn::Add(p.column, hn::Set(di, tile_.x)));
         add_level_of_detail(planes, of, hn::Add(hn::ConvertTo(d, left), of(to_x)),
-                            hn::Add(hn::ConvertTo(d, quad_rows(p.row)), of(to_y)), at);
+                            hn::Add(hn::ConvertTo(d, quad_rows(tile_, p.row)), of(to_y)), at);
       }
     }
     count_ += count;
@@ -269,13 +271,12 @@ class SmallBatch {
     return count;
   }
 
-  // quad_row() of rows of the tile.
-  HWY_INLINE VecI quad_rows(VecI row) const {
-    const TagI d;
-    const VecI one = hn::Set(d, 1), y = hn::Add(row, hn::Set(d, tile_.y));
-    if (tile_.mirror_height == 0) return hn::AndNot(one, y);
-    const VecI last = hn::Set(d, tile_.mirror_height - 1);
-    return hn::Sub(last, hn::AndNot(one, hn::Sub(last, y)));
+  HWY_INLINE void find_coverage(const LanePlanes& planes, const FragmentPlanes& of, VecF x, VecF y,
+                                int at) {
+    const TagF d;
+    const auto shape = smooth_shape(group_.kind() == PrimitiveKind::kPoint, of(planes.half_width),
+                                    of(planes.dx), of(planes.dy));
+    hn::StoreU(covered_share(d, shape, x, y), hn::Rebind<int16_t, TagF>(), coverage_ + at);
   }
 
   HWY_INLINE void evaluate_varyings(const LanePlanes& planes, const FragmentPlanes& of, VecF x,
@@ -395,11 +396,15 @@ class SmallBatch {
       switch (step.stage) {
         case FragmentStage::interpolate_w:
           break;
+        case FragmentStage::smooth_coverage:
+          std::copy_n(coverage_, batch_.count, batch_.coverage);
+          drop_uncovered(batch_);
+          break;
         case FragmentStage::test_depth_stencil:
           if (!test()) return;
           break;
         case FragmentStage::interpolate_colour:
-          round_colours();
+          round_colours(colour_, program_.inputs.texture_units != 0, batch_);
           break;
         case FragmentStage::sample_texture:
           sample(step.unit);
@@ -419,19 +424,6 @@ class SmallBatch {
     } else if (writes) {
       mask_stage(program_.colour_mask, batch_, batch_.live);
       scatter_pixels(batch_.colour, offset_, batch_.count, tile_.colour);
-    }
-  }
-
-  void round_colours() {
-    const TagF d;
-    const hn::Rebind<int16_t, TagF> d16;
-    const bool textured = program_.inputs.texture_units != 0;
-    for (int c = 0; c < 4; ++c) {
-      for (int i = 0; i < batch_.count; i += kLanes) {
-        const auto colour = hn::DemoteTo(d16, round_colour(d, hn::Load(d, colour_[c] + i)));
-        hn::Store(colour, d16, batch_.previous[c] + i);
-        if (textured) hn::Store(colour, d16, batch_.primary[c] + i);
-      }
     }
   }
 
@@ -486,6 +478,7 @@ class SmallBatch {
   PendingPixels pending_;  // those of the batch and the group; if in_order_, of the group alone
   PendingPixels held_;     // and of the batch
   alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes
+  alignas(64) int16_t coverage_[kBatchSize];
   alignas(64) float depth_[kBatchSize], fog_[kBatchSize], colour_[4][kBatchSize];
   UnitCoordinates coordinates_[kSmallUnits];
   BoundEnvironment environment_[kSmallUnits];

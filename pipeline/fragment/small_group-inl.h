@@ -160,6 +160,7 @@ class SmallGroup {
   }
 
   bool is_empty() const { return primitives_.count == 0; }
+  PrimitiveKind kind() const { return kind_; }
   int pixels() const { return listed_; }
 
   // Of a vector of listed pixels: their primitives' lanes, and their indices into a tile's planes.

@@ -1,5 +1,5 @@
 // Pixels at any places of a tile's plane, from there to a batch of fragments (small-inl.h) and
-// back, and those of one colour. `offset` holds their indices into the plane.
+// back, and the colours of fragments. `offset` holds their indices into the plane.
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_SMALL_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_SMALL_PIXELS_INL_H_
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/fragment/batch.h"
 #include "pipeline/fragment/colour-inl.h"
 #include "pipeline/fragment/write-inl.h"
 #include "pipeline/setup/lane_planes-inl.h"
@@ -62,6 +63,20 @@ HWY_INLINE void scatter_live_pixels(const uint32_t* values, const int32_t* offse
     uint32_t* to = live[i] != 0 ? plane + offset[i] : &nowhere;
     *to = values[i];
   });
+}
+
+// Interpolated colours, in fixed point.
+inline void round_colours(const float (&colour)[4][kBatchSize], bool textured,
+                          FragmentBatch& batch) {
+  const hn::ScalableTag<float> d;
+  const hn::Rebind<int16_t, decltype(d)> d16;
+  for (int c = 0; c < 4; ++c) {
+    for (int i = 0; i < batch.count; i += static_cast<int>(hn::MaxLanes(d))) {
+      const auto rounded = hn::DemoteTo(d16, round_colour(d, hn::Load(d, colour[c] + i)));
+      hn::Store(rounded, d16, batch.previous[c] + i);
+      if (textured) hn::Store(rounded, d16, batch.primary[c] + i);
+    }
+  }
 }
 
 // The pixels that flat colours become where no stage changes them, a primitive in each lane.

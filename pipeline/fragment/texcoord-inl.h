@@ -87,6 +87,16 @@ inline int quad_row(const Tile& tile, int y) {
   return last - ((last - y) & ~1);
 }
 
+// The same of rows of the tile.
+template <class V>
+HWY_INLINE V quad_rows(const Tile& tile, V row) {
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, 1), y = hn::Add(row, hn::Set(d, tile.y));
+  if (tile.mirror_height == 0) return hn::AndNot(one, y);
+  const V last = hn::Set(d, tile.mirror_height - 1);
+  return hn::Sub(last, hn::AndNot(one, hn::Sub(last, y)));
+}
+
 // The footprint of a quad in a level: the derivatives of (s, t) along x and y, and the squares of
 // their lengths in texels.
 template <class V>

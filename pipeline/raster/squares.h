@@ -15,8 +15,8 @@ struct CoveredSquares {
   SmallCoverage square[kColumns * kRows];
 };
 
-// Fills `squares`; false when no pixel of the tile is covered. Only of primitives that are covered
-// by centres and are no circles. The pixels are those of cover_tile.
+// Fills `squares`; false when no pixel of the tile is covered. The pixels are those of cover_tile,
+// but of circles all of their box. Not of primitives that are covered by samples.
 bool cover_squares(const PrimitiveRecord& primitive, int tile_x, int tile_y,
                    CoveredSquares& squares);
 

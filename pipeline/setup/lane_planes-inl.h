@@ -46,9 +46,10 @@ struct LanePlane {
 // What PrimitivePlanes has, of each lane.
 struct LanePlanes {
   PlaneVec x_ref, y_ref;
-  bool perspective;   // of some primitive; then inv_w is set, and is 1 for the others
-  bool flat_colour;   // all are of one colour: the colour planes are constant
-  PlaneMask divided;  // if perspective: colours are divided by w
+  bool perspective;             // of some primitive; then inv_w is set, and is 1 for the others
+  bool flat_colour;             // all are of one colour: the colour planes are constant
+  PlaneMask divided;            // if perspective: colours are divided by w
+  PlaneVec half_width, dx, dy;  // of the region of antialiased points and lines (SmoothRegion)
   LanePlane depth, inv_w, fog;
   LanePlane colour[4];
   LanePlane texture[kMaxTextureUnits][4];  // s, t, not r, q
@@ -126,6 +127,13 @@ class LanePlaneMaker {
     }
     out.x_ref = window[0].at[0];
     out.y_ref = window[0].at[1];
+    out.dx = hn::Sub(window[1].at[0], window[0].at[0]);
+    out.dy = hn::Sub(window[1].at[1], window[0].at[1]);
+    if (kKind != PrimitiveKind::kTriangle && is_smooth()) {
+      out.half_width = kKind == PrimitiveKind::kPoint
+                           ? hn::Mul(hn::Set(d, 0.5f), hn::Load(d, primitives_.size))
+                           : hn::Set(d, 0.5f * supported_width(state_.raster.line_width));
+    }
     set_basis(window);
     if (state_.inputs.depth) set_depth(window, out.depth);
     const PlaneVec w[3] = {window[0].at[3], window[1].at[3], window[2].at[3]};
@@ -154,6 +162,8 @@ class LanePlaneMaker {
  private:
   static constexpr int kCorners = static_cast<int>(kKind) + 1;
 
+  bool is_smooth() const { return state_.coverage == FragmentCoverage::kSmooth; }
+
   template <class Offset>
   HWY_INLINE void load_corners(LaneValues (&corners)[3], const Offset& offset) const {
     for (int k = 0; k < kCorners; ++k) corners[k].load(primitives_.vertex[k], offset);
@@ -175,7 +185,13 @@ class LanePlaneMaker {
                 hn::IfThenElseZero(some, hn::Mul(hn::Neg(y10), inverse)),
                 hn::IfThenElseZero(some, hn::Mul(hn::Neg(x20), inverse)),
                 hn::IfThenElseZero(some, hn::Mul(x10, inverse))};
-    } else if constexpr (kKind == PrimitiveKind::kLine) {  // 3.4.1: along the major axis
+    } else if constexpr (kKind == PrimitiveKind::kLine) {
+      if (is_smooth()) {  // equation 3.3: along the line itself
+        const PlaneVec square = hn::Add(hn::Mul(x10, x10), hn::Mul(y10, y10));
+        basis_ = {hn::Div(x10, square), zero, hn::Div(y10, square), zero};
+        return;
+      }
+      // 3.4.1: along the major axis
       const PlaneMask x_major = hn::Gt(hn::Load(d, primitives_.size), zero);
       basis_ = {hn::IfThenElseZero(x_major, hn::Div(one, x10)), zero,
                 hn::IfThenZeroElse(x_major, hn::Div(one, y10)), zero};

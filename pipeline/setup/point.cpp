@@ -48,6 +48,9 @@ bool setup_sprite(const SetupState& state, const float* window, float size, Prim
   return set_polygon(state, corners, 4, out);
 }
 
+// Smaller circles are shaded many at once (exec/small.h), with the corners of their boxes.
+constexpr int kNarrowRadius = 8;
+
 // 3.3.1, 3.3.3.
 bool setup_circle(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
   const int32_t x = snap(window[0] - 0.5f);
@@ -56,6 +59,7 @@ bool setup_circle(const SetupState& state, const float* window, float size, Prim
   const bool smooth = state.coverage == FragmentCoverage::kSmooth;
   out.is_circle = true;
   out.circle = {x, y, radius, smooth ? reach_of(state.coverage) : 0};
+  out.narrow = smooth && radius <= kNarrowRadius * kSubpixelOne;
   return set_box(state, {x - radius, y - radius}, {x + radius, y + radius}, out);
 }
 
