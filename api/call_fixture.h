@@ -15,6 +15,8 @@ namespace clearpipe::api {
 
 inline constexpr int kSize = 16;
 
+inline constexpr GLenum k2D = GL_TEXTURE_2D, kCube = GL_TEXTURE_CUBE_MAP_OES;
+
 inline constexpr uint32_t kRed = 0xff0000ffu, kGreen = 0xff00ff00u, kBlue = 0xffff0000u,
                           kWhite = 0xffffffffu;
 

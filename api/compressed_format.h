@@ -11,6 +11,8 @@
 
 namespace clearpipe::api {
 
+inline constexpr uint32_t kOpaque = 0xff000000u;  // the alpha of a texel of a format without
+
 // Texels of a compressed image and the place they go to: the first at (x, y) of a level.
 struct DecodeTarget {
   pipeline::ImageLevel& level;

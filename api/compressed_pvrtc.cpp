@@ -185,8 +185,6 @@ void decode(const uint8_t* data, int texels_per_word, uint32_t opaque, const Dec
   }
 }
 
-constexpr uint32_t kOpaque = 0xff000000u;
-
 }  // namespace
 
 void decode_pvrtc4_rgb(const uint8_t* data, const DecodeTarget& to) {

@@ -9,8 +9,6 @@ namespace clearpipe::api {
 
 namespace {
 
-constexpr uint32_t kOpaque = 0xff000000u;
-
 struct Rgb565 {
   explicit Rgb565(const uint8_t* p) : packed(p[0] | static_cast<uint32_t>(p[1]) << 8) {}
   uint32_t packed;

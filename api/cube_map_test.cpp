@@ -8,7 +8,6 @@
 namespace clearpipe::api {
 namespace {
 
-constexpr GLenum kCube = GL_TEXTURE_CUBE_MAP_OES;
 constexpr GLenum kFirst = GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES;
 constexpr GLenum kStr = GL_TEXTURE_GEN_STR_OES, kMode = GL_TEXTURE_GEN_MODE_OES;
 

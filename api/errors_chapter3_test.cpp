@@ -21,7 +21,7 @@ class Chapter3Errors : public ErrorTest {
   static void copy_part(GLint level, GLint left, GLint bottom, GLsizei width, GLsizei height) {
     glCopyTexSubImage2D(GL_TEXTURE_2D, level, left, bottom, 0, 0, width, height);
   }
-  static constexpr GLenum k2D = GL_TEXTURE_2D, kByte = GL_UNSIGNED_BYTE;
+  static constexpr GLenum kByte = GL_UNSIGNED_BYTE;
 
   static const std::vector<ErrorCase>& rasterization() {
     static const std::vector<ErrorCase> kCases = {

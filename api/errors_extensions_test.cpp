@@ -8,8 +8,6 @@
 namespace clearpipe::api {
 namespace {
 
-constexpr GLenum k2D = GL_TEXTURE_2D;
-
 class ExtensionErrors : public ErrorTest {
  protected:
   static void compressed(GLenum format, GLint level, GLsizei width, GLsizei height, GLint border,

@@ -9,7 +9,7 @@ namespace {
 
 constexpr GLenum kFramebuffer = GL_FRAMEBUFFER_OES, kRenderbuffer = GL_RENDERBUFFER_OES,
                  kColour = GL_COLOR_ATTACHMENT0_OES, kDepth = GL_DEPTH_ATTACHMENT_OES,
-                 kStencil = GL_STENCIL_ATTACHMENT_OES, k2D = GL_TEXTURE_2D,
+                 kStencil = GL_STENCIL_ATTACHMENT_OES,
                  kIncomplete = GL_INVALID_FRAMEBUFFER_OPERATION_OES;
 
 class ObjectErrors : public ErrorTest {

@@ -7,7 +7,6 @@
 namespace clearpipe::api {
 namespace {
 
-constexpr GLenum k2D = GL_TEXTURE_2D, kCube = GL_TEXTURE_CUBE_MAP_OES;
 constexpr GLenum kFace = GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES, kByte = GL_UNSIGNED_BYTE;
 constexpr GLenum kStr = GL_TEXTURE_GEN_STR_OES, kMode = GL_TEXTURE_GEN_MODE_OES;
 constexpr GLenum kNormal = GL_NORMAL_MAP_OES, kEtc1 = GL_ETC1_RGB8_OES;

@@ -6,8 +6,7 @@
 namespace clearpipe::api {
 namespace {
 
-constexpr GLenum k2D = GL_TEXTURE_2D, kCube = GL_TEXTURE_CUBE_MAP_OES,
-                 kExternal = GL_TEXTURE_EXTERNAL_OES;
+constexpr GLenum kExternal = GL_TEXTURE_EXTERNAL_OES;
 constexpr uint32_t kBlack = 0xff000000u;
 
 class ExternalTexture : public CallTest {

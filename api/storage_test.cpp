@@ -10,7 +10,6 @@
 namespace clearpipe::api {
 namespace {
 
-constexpr GLenum k2D = GL_TEXTURE_2D, kCube = GL_TEXTURE_CUBE_MAP_OES;
 constexpr GLenum kFirst = GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES;
 
 class Storage : public CallTest {

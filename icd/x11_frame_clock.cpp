@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A window that is destroyed gets no more events, and no answer that says so.
-constexpr auto kPatience = std::chrono::milliseconds(500);
+constexpr auto kFramePatience = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void X11FrameClock::wait(const X11Platform& d, xcb_window_t window, EGLint frame
                                                      shown_ + static_cast<uint64_t>(frames), 0, 0);
   d.x.discard_reply(d.connection, cookie.sequence);
   d.x.flush(d.connection);
-  const auto end = Clock::now() + kPatience * frames;
+  const auto end = Clock::now() + kFramePatience * frames;
   while (Clock::now() < end && !give_up() && d.x.connection_has_error(d.connection) == 0) {
     auto* event = reinterpret_cast<xcb_present_complete_notify_event_t*>(
         d.x.poll_for_special_event(d.connection, events_));

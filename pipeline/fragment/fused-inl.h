@@ -44,8 +44,10 @@ class FusedTextures {
       simple_ = simple_ && program.unit[u].simple_environment;
     }
     if (simple_) return;
+    uses_primary_ = false;
     for (int i = 0; i < count_; ++i) {
       const UnitProgram& unit = program.unit[number_[i]];
+      uses_primary_ = uses_primary_ || reads_primary_colour(unit.combiner);
       environment_[i] = bind_environment(unit.combiner, unit.constant, batch_);
     }
   }
@@ -88,7 +90,7 @@ class FusedTextures {
     const auto put_colour = [&](const Colour16& colour, int16_t(*to)[kBatchSize]) HWY_ATTR {
       for (int c = 0; c < 4; ++c) hn::Store(colour.channel[c], d, to[c] + place * kGroup);
     };
-    put_colour(primary, batch_.primary);
+    if (uses_primary_) put_colour(primary, batch_.primary);
     put_colour(primary, batch_.previous);
     for (int i = 0; i < count_; ++i) put_colour(unit_[i].colour(group), batch_.texture[number_[i]]);
   }
@@ -110,6 +112,7 @@ class FusedTextures {
   const FragmentProgram* p_;
   int count_;
   bool simple_;
+  bool uses_primary_;  // an environment takes it other than as what was there before
   int number_[kMaxTextureUnits];
   FusedUnit unit_[kMaxTextureUnits];
   BoundEnvironment environment_[kMaxTextureUnits];

@@ -10,6 +10,9 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "pipeline/fragment/batch.h"
 #include "pipeline/fragment/colour-inl.h"
 #include "pipeline/state.h"
@@ -83,6 +86,14 @@ HWY_INLINE V scale_and_clamp(D d, V v, int scale_log2) {
   if (scale_log2 == 1) return hn::ShiftLeft<1>(v);
   if (scale_log2 == 2) return hn::ShiftLeft<2>(v);
   return v;
+}
+
+inline bool reads_primary_colour(const Combiner& combiner) {
+  const auto reads = [](const CombineArgument& argument) {
+    return argument.source == CombineSource::kPrimaryColour;
+  };
+  return std::any_of(std::begin(combiner.rgb_argument), std::end(combiner.rgb_argument), reads) ||
+         std::any_of(std::begin(combiner.alpha_argument), std::end(combiner.alpha_argument), reads);
 }
 
 // A unit's environment with the places of its arguments in a batch: those of each channel.
