@@ -14,6 +14,7 @@ if(CLEARPIPE_TESTS)
     ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/transform_test.cpp)
   target_link_libraries(vertex_test PRIVATE clearpipe_pipeline GTest::gtest GTest::gtest_main)
+  compile_together(vertex_test ${CMAKE_CURRENT_LIST_DIR}/vertex_test_kernels.cpp)
   compile_quickly(vertex_test)
   add_test(NAME vertex_test COMMAND vertex_test)
 endif()
