@@ -24,6 +24,7 @@ namespace clearpipe::pipeline::exec::HWY_NAMESPACE {
 using fragment::HWY_NAMESPACE::SmallBatch;
 using fragment::HWY_NAMESPACE::SmallScratch;
 using fragment::HWY_NAMESPACE::SquareParts;
+using fragment::HWY_NAMESPACE::WholeSquare;
 
 SmallBatch& batch_of(std::byte* memory) {
   return *std::launder(reinterpret_cast<SmallBatch*>(memory));
@@ -36,7 +37,8 @@ void begin(std::byte* memory, std::byte* scratch, const FragmentProgram& program
   new (memory) SmallBatch(program, tile, *new (scratch) SmallScratch);
 }
 
-HWY_INLINE void keep_order(SmallBatch* other, const SquareParts& pixels) {
+template <class Parts>
+HWY_INLINE void keep_order(SmallBatch* other, const Parts& pixels) {
   if (other != nullptr && other->has(pixels)) other->flush();
 }
 
@@ -69,9 +71,10 @@ size_t add(std::byte* memory, std::byte* other_memory, const DrawList& draws, co
                                     records + primitive.vertex[2] * stride};
     const SmallCoverage coverage =
         small_coverage(primitive.mask, primitive.x, primitive.y, tile.x, tile.y);
-    batch.add(primitive.kind, primitive.back_facing, primitive.size, vertex,
-              std::span<const SmallCoverage, 1>(&coverage, 1),
-              [other](const SquareParts& parts) HWY_ATTR { keep_order(other, parts); });
+    batch.add<SquareParts>(primitive.kind, primitive.back_facing, primitive.size, vertex,
+                           std::span<const SmallCoverage, 1>(&coverage, 1),
+                           [other](const SquareParts& parts)
+                               HWY_ATTR { keep_order(other, parts); });
   }
   return taken;
 }
@@ -81,9 +84,10 @@ void add_squares(std::byte* memory, std::byte* other_memory, const SetupState& s
   SmallBatch& batch = batch_of(memory);
   SmallBatch* const other = other_memory != nullptr ? &batch_of(other_memory) : nullptr;
   batch.set_state(state);
-  batch.add(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
-            std::span(squares.square).first(static_cast<size_t>(squares.count)),
-            [other](const SquareParts& parts) HWY_ATTR { keep_order(other, parts); });
+  batch.add<WholeSquare>(primitive.kind, primitive.back_facing, primitive.size, primitive.vertex,
+                         std::span(squares.square).first(static_cast<size_t>(squares.count)),
+                         [other](const WholeSquare& square)
+                             HWY_ATTR { keep_order(other, square); });
 }
 
 void flush(std::byte* memory) { batch_of(memory).flush(); }

@@ -74,15 +74,15 @@ class SmallBatch {
   }
 
   // Takes the pixels of a primitive whose vertex records stay where they are until flush(). Of each
-  // square, before(SquareParts) is called first.
-  template <size_t kSquares, class Before>
+  // square, before(Parts) is called first: SquareParts, or WholeSquare where they lie in such.
+  template <class Parts, size_t kSquares, class Before>
   HWY_INLINE void add(PrimitiveKind kind, bool back_facing, float size, const float* const* vertex,
                       std::span<const SmallCoverage, kSquares> squares, const Before& before) {
     const int colour_offset = back_facing && state_->two_sided ? state_->layout.back_colour_offset
                                                                : vertex_record::kColour;
     bool has_lane = false;
     for (const SmallCoverage& coverage : squares) {
-      const SquareParts parts(coverage);
+      const Parts parts(coverage);
       before(parts);
       const int count = std::popcount(coverage.mask);
       if (count_ + group_.pixels() + count > kRoom) {
@@ -107,7 +107,8 @@ class SmallBatch {
   }
 
   // Whether the batch has one of the pixels.
-  HWY_INLINE bool has(const SquareParts& parts) const {
+  template <class Parts>
+  HWY_INLINE bool has(const Parts& parts) const {
     return pending_.has(parts) || (in_order_ && held_.has(parts));
   }
 

@@ -247,7 +247,6 @@ struct SquareParts {
   static constexpr int kSquares = kStride * (kTileHeight / kSmallSide + 1);
 
   int first;         // the square that the mask begins in
-  bool in_first;     // as the squares of narrow primitives lie
   uint64_t bits[4];  // of that square, the next, and those above the two
   static constexpr int kPlace[4] = {0, 1, kStride, kStride + 1};
 
@@ -256,7 +255,6 @@ struct SquareParts {
     constexpr uint64_t kEachRow = 0x0101010101010101u;
     const int dx = coverage.column % kSmallSide, dy = coverage.row % kSmallSide;
     const uint64_t mask = coverage.mask;
-    in_first = (dx | dy) == 0;
     const uint64_t right_columns = kEachRow * (0xffu >> (kSmallSide - dx));
     const uint64_t left = mask << dx & ~right_columns;
     const uint64_t right = mask >> (kSmallSide - dx) & right_columns;
@@ -269,6 +267,16 @@ struct SquareParts {
   }
 };
 
+// The same of a mask that lies in one square, as those of narrow primitives do.
+struct WholeSquare {
+  int first;
+  uint64_t bits;
+
+  HWY_INLINE explicit WholeSquare(const SmallCoverage& coverage)
+      : first(coverage.row / kSmallSide * SquareParts::kStride + coverage.column / kSmallSide),
+        bits(coverage.mask) {}
+};
+
 // Pixels of a tile that something is about to be done to, in squares of 8x8 as masks have them.
 class PendingPixels {
  public:
@@ -276,14 +284,14 @@ class PendingPixels {
 
   // Notes the pixels of a mask; false, and nothing is noted, when one is there already.
   HWY_INLINE bool note(const SquareParts& parts) {
-    uint64_t* const square = square_ + parts.first;
-    if (parts.in_first) {
-      if ((*square & parts.bits[0]) != 0) return false;
-      *square |= parts.bits[0];
-      return true;
-    }
     if (has(parts)) return false;
+    uint64_t* const square = square_ + parts.first;
     for (int i = 0; i < 4; ++i) square[SquareParts::kPlace[i]] |= parts.bits[i];
+    return true;
+  }
+  HWY_INLINE bool note(const WholeSquare& whole) {
+    if (has(whole)) return false;
+    square_[whole.first] |= whole.bits;
     return true;
   }
 
@@ -298,6 +306,10 @@ class PendingPixels {
     uint64_t common = 0;
     for (int i = 0; i < 4; ++i) common |= square[SquareParts::kPlace[i]] & parts.bits[i];
     return common != 0;
+  }
+
+  HWY_INLINE bool has(const WholeSquare& whole) const {
+    return (square_[whole.first] & whole.bits) != 0;
   }
 
   void forget() { forget_vectors(std::make_index_sequence<kWholeVectors / kStep>()); }
