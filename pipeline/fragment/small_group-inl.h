@@ -141,9 +141,11 @@ class SmallGroup {
   // Lists pixels of the primitive that was added last: the mask has so many bits.
   HWY_INLINE void list(const SmallCoverage& coverage, int count) {
     const int lane = primitives_.count - 1, place = coverage.row * kTileWidth + coverage.column;
-    constexpr int kFew = 12;
+    constexpr int kFew = kCompresses ? 4 : 12;
     if (count == kSquarePixels) {
       list_square(place, lane);
+    } else if (kCompresses && count > kFew) {
+      list_vectors(coverage.mask, place, lane);
     } else if (count > kFew) {
       list_rows(coverage.mask, place, lane);
     } else {
@@ -177,7 +179,10 @@ class SmallGroup {
   }
 
  private:
-  static constexpr int kListed = 8;  // pixels that are written at a time, at most
+  // Whether a vector's lanes can be put in front by an instruction, and how many pixels are written
+  // at a time, at most.
+  static constexpr bool kCompresses = hn::MaxLanes(TagI()) == 16;
+  static constexpr int kListed = kCompresses ? 16 : 8;
 
   // Lists the set bits of a mask, four at a time: most masks have no more, and none of what it
   // takes to list a few of them depends on their number.
@@ -211,6 +216,26 @@ class SmallGroup {
     }
     for (int i = 0; i < kSquarePixels; i += static_cast<int>(hn::MaxLanes(d8))) {
       hn::StoreU(hn::Set(d8, static_cast<uint8_t>(lane)), d8, lane_ + listed_ + i);
+    }
+  }
+
+  // Two rows of any mask at a time, without branches.
+  HWY_INLINE void list_vectors(uint64_t mask, int place, int lane) {
+    const hn::CappedTag<int32_t, kListed> d;
+    const hn::Rebind<uint16_t, decltype(d)> d16;
+    const hn::Rebind<uint8_t, decltype(d)> d8;
+    const auto first = hn::Set(d16, static_cast<uint16_t>(place));
+    const auto lanes = hn::Set(d8, static_cast<uint8_t>(lane));
+    int at = listed_;
+    for (int i = 0; i < kSquarePixels; i += kListed) {
+      const auto in_square = hn::PromoteTo(d, hn::Load(d16, kSquareOffsets.data() + i));
+      const uint64_t bits = mask >> i;
+      uint8_t bytes[8];
+      std::memcpy(bytes, &bits, sizeof(bits));
+      const auto pixels = hn::Compress(in_square, hn::LoadMaskBits(d, bytes));
+      hn::StoreU(hn::Add(hn::DemoteTo(d16, pixels), first), d16, offset_ + at);
+      hn::StoreU(lanes, d8, lane_ + at);
+      at += std::popcount(bits & ((1u << kListed) - 1));
     }
   }
 
