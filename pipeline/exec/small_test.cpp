@@ -312,6 +312,21 @@ bool random_narrow(Random& random, const SetupState& state, float* records, Prim
                        : setup_triangle(state, v[0], v[1], v[2], out);
 }
 
+// Adds a narrow primitive to the shader, and draws it by itself in the tile that is expected; false
+// when it covers nothing.
+bool draw_both_ways(const DrawState& draw, const PrimitiveRecord& primitive, SmallShader& shader,
+                    OwnTile& tile, OwnTile& expected) {
+  Coverage coverage;
+  if (!cover_tile(primitive, tile.x, tile.y, coverage)) return false;
+  CoveredSquares squares;
+  EXPECT_TRUE(cover_squares(primitive, tile.x, tile.y, squares));
+  PrimitivePlanes planes;
+  make_planes(draw.setup, primitive, planes);
+  shade(*draw.program, planes, coverage, expected);
+  shader.add(draw, primitive, squares, tile);
+  return true;
+}
+
 // Narrow primitives among small ones, as back.cpp adds them, against each by itself.
 TEST(Small, NarrowPrimitivesGiveTheBitsOfSingleOnes) {
   const auto shader = std::make_unique<SmallShader>();
@@ -331,18 +346,10 @@ TEST(Small, NarrowPrimitivesGiveTheBitsOfSingleOnes) {
       ASSERT_EQ(shader->add(random_draw.draws, mesh.packet, {&entry, 1}, tile), 1u);
       PrimitiveRecord primitive;
       records.emplace_back(size_t{3} * draw.setup.layout.stride);
-      Coverage coverage;
-      CoveredSquares squares;
-      if (!random_narrow(random, draw.setup, records.back().data(), primitive) ||
-          !cover_tile(primitive, tile.x, tile.y, coverage)) {
-        continue;
+      if (random_narrow(random, draw.setup, records.back().data(), primitive) &&
+          draw_both_ways(draw, primitive, *shader, tile, expected)) {
+        ++narrow;
       }
-      ASSERT_TRUE(cover_squares(primitive, tile.x, tile.y, squares));
-      PrimitivePlanes planes;
-      make_planes(draw.setup, primitive, planes);
-      shade(*draw.program, planes, coverage, expected);
-      shader->add(draw, primitive, squares, tile);
-      ++narrow;
     }
     shader->flush();
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
@@ -385,18 +392,10 @@ TEST(Small, AntialiasedPrimitivesGiveTheBitsOfSingleOnes) {
     for (int i = 0; i < 120; ++i) {
       PrimitiveRecord primitive;
       records.emplace_back(size_t{2} * draw.setup.layout.stride);
-      Coverage coverage;
-      CoveredSquares squares;
-      if (!random_smooth(random, draw.setup, records.back().data(), primitive) ||
-          !cover_tile(primitive, tile.x, tile.y, coverage)) {
-        continue;
+      if (random_smooth(random, draw.setup, records.back().data(), primitive) &&
+          draw_both_ways(draw, primitive, *shader, tile, expected)) {
+        ++(primitive.kind == PrimitiveKind::kPoint ? points : lines);
       }
-      ASSERT_TRUE(cover_squares(primitive, tile.x, tile.y, squares));
-      PrimitivePlanes planes;
-      make_planes(draw.setup, primitive, planes);
-      shade(*draw.program, planes, coverage, expected);
-      shader->add(draw, primitive, squares, tile);
-      ++(primitive.kind == PrimitiveKind::kPoint ? points : lines);
     }
     shader->flush();
     ASSERT_TRUE(same(tile, expected)) << "seed " << seed;
