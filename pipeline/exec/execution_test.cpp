@@ -144,7 +144,7 @@ TEST(Execution, AFrameMayEndUnfinished) {
 // A child has the memory of a frame that workers of its parent were busy with.
 TEST(Execution, GoesOnInAChild) {
 #ifdef __SANITIZE_THREAD__
-  GTEST_SKIP() << "threads of a child are not supported";
+  GTEST_SKIP() << "ThreadSanitizer refuses threads in a child of a process that has some";
 #endif
   const std::vector<uint32_t> expected = one_by_one(kDraws, 10);
   for (int at = 600; at < 700; at += 20) {
