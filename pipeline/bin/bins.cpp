@@ -3,6 +3,7 @@
 #include "pipeline/bin/bins.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "pipeline/raster/coverage.h"
 #include "pipeline/raster/tile.h"
@@ -97,20 +98,34 @@ void Bins::add_across(const SmallPrimitive& primitive, int last_column, int last
   }
 }
 
-void Bins::close(Arena& arena) {
+// Each goes to its list's next place; afterwards every `first` has moved to the end.
+template <class T>
+void Bins::sort(const std::vector<BinScratch::Noted<T>>& noted, Arena& arena) {
+  constexpr uint32_t kEntries = sizeof(T) / sizeof(uint32_t);
   std::vector<List>& lists = scratch_->lists_;
   uint32_t first = 0;
   for (List& list : lists) {
     list.first = first;
+    list.count *= kEntries;
     first += list.count;
   }
   uint32_t* const sorted = arena.allocate_array<uint32_t>(first);
   sorted_ = {sorted, first};
-  // Each entry goes to its list's next place; afterwards every `first` has moved to the end.
-  for (const BinScratch::Entry& entry : scratch_->entries_) {
-    sorted[lists[entry.list].first++] = entry.primitive;
+  for (const BinScratch::Noted<T>& one : noted) {
+    uint32_t& next = lists[one.list].first;
+    std::memcpy(sorted + next, &one.what, sizeof(T));
+    next += kEntries;
   }
   for (List& list : lists) list.first -= list.count;
+}
+
+void Bins::close(Arena& arena) {
+  if (scratch_->dots_.empty()) {
+    sort(scratch_->primitives_, arena);
+  } else {
+    sort(scratch_->dots_, arena);
+  }
+  const std::vector<List>& lists = scratch_->lists_;
   List* const kept = arena.allocate_array<List>(lists.size());
   std::copy(lists.begin(), lists.end(), kept);
   lists_ = {kept, lists.size()};

@@ -25,10 +25,19 @@ struct TileGrid {
 
 TileGrid make_tile_grid(int width, int height);
 
-// A tile and its part of a packet's primitives.
+// A tile and its part of a packet's entries.
 struct BinList {
   uint32_t tile, first, count;
 };
+
+// A point of one pixel that becomes what is said here if its depth passes (exec/dots.h). Bins hold
+// such as they are, three entries each: nothing else is looked at for them.
+struct Dot {
+  uint32_t place;  // in the tile, row by row
+  uint32_t depth;  // as the buffer holds it
+  uint32_t colour;
+};
+inline constexpr uint32_t kDotEntries = sizeof(Dot) / sizeof(uint32_t);
 
 // What a worker needs to sort a packet's primitives by tile; used for one packet after another.
 class BinScratch {
@@ -40,7 +49,8 @@ class BinScratch {
       tiles_.assign(count, Tile());
       generation_ = 1;
     }
-    entries_.clear();
+    primitives_.clear();
+    dots_.clear();
     lists_.clear();
   }
 
@@ -51,14 +61,17 @@ class BinScratch {
     uint32_t generation = 0;  // the packet's, or the tile has no list yet
     uint32_t list = 0;
   };
-  struct Entry {
+  template <class T>
+  struct Noted {
     uint32_t list;
-    uint32_t primitive;
+    T what;
   };
 
   uint32_t generation_ = 0;
   std::vector<Tile> tiles_;
-  std::vector<Entry> entries_;  // in submission order
+  // In submission order; of a packet either of them.
+  std::vector<Noted<uint32_t>> primitives_;
+  std::vector<Noted<Dot>> dots_;
   std::vector<BinList> lists_;
 };
 
@@ -84,12 +97,16 @@ class Bins {
     }
   }
 
+  // A dot of the tile; nothing else may be added to the same bins.
+  void add(uint32_t tile, const Dot& dot) { scratch_->dots_.push_back({count_in(tile), dot}); }
+
   // Sorts what was noted by tile into memory of the arena; add() must not follow.
   void close(Arena& arena);
 
-  // The tiles that are touched, in no particular order, and the primitives that touch one.
+  // The tiles that are touched, in no particular order, and the entries of one: the primitives that
+  // touch it, or its dots.
   std::span<const List> lists() const { return lists_; }
-  std::span<const uint32_t> primitives(const List& list) const {
+  std::span<const uint32_t> entries(const List& list) const {
     return sorted_.subspan(list.first, list.count);
   }
 
@@ -110,15 +127,23 @@ class Bins {
   void add_across(const SmallPrimitive& primitive, int last_column, int last_row, uint32_t index);
 
   void note(int column, int row, uint32_t index) {
-    const uint32_t number = static_cast<uint32_t>(row * grid_.columns + column);
+    const uint32_t tile = static_cast<uint32_t>(row * grid_.columns + column);
+    scratch_->primitives_.push_back({count_in(tile), index});
+  }
+
+  // The tile's list, which will have one more.
+  uint32_t count_in(uint32_t number) {
     BinScratch::Tile& tile = scratch_->tiles_[number];
     if (tile.generation != scratch_->generation_) {
       tile = {scratch_->generation_, static_cast<uint32_t>(scratch_->lists_.size())};
       scratch_->lists_.push_back({number, 0, 0});
     }
-    scratch_->entries_.push_back({tile.list, index});
     ++scratch_->lists_[tile.list].count;
+    return tile.list;
   }
+
+  template <class T>
+  void sort(const std::vector<BinScratch::Noted<T>>& noted, Arena& arena);
 
   TileGrid grid_;
   BinScratch* scratch_ = nullptr;

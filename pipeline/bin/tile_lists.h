@@ -14,7 +14,7 @@ namespace clearpipe::pipeline {
 
 class TileLists {
  public:
-  // A packet that touches the tile, and its entries of Bins::primitives().
+  // A packet that touches the tile, and its Bins::entries().
   struct Reference {
     const uint32_t* entries;
     uint32_t count;
@@ -43,7 +43,7 @@ class TileLists {
       if (bins == nullptr) continue;
       for (const Bins::List& list : bins->lists()) {
         if (list.tile - first >= end - first) continue;
-        references_[--start_[list.tile - first]] = {bins->primitives(list).data(), list.count,
+        references_[--start_[list.tile - first]] = {bins->entries(list).data(), list.count,
                                                     static_cast<uint32_t>(i)};
       }
     }

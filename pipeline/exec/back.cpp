@@ -7,6 +7,7 @@
 #include <atomic>
 #include <bit>
 
+#include "pipeline/exec/dots.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/small.h"
 #include "pipeline/exec/tile_depth.h"
@@ -153,9 +154,25 @@ void fetch(const PrimitiveRecord& primitive) {
   hwy::Prefetch(bytes + sizeof(primitive) - 1);
 }
 
+// A packet's dots in the tile.
+void shade_dots(const DrawState& draw, std::span<const uint32_t> entries, TilePlanes& planes,
+                TileDepth& depth, BackWorker& worker) {
+  worker.small.flush();
+  if (counts_usage()) {
+    const size_t dots = entries.size() / kDotEntries;
+    count_pixels(*draw.program, UsageForm::kSmall, static_cast<int>(dots));
+  }
+  planes.prepare(draw.outputs, false);
+  draw_dots(draw, entries, worker.tiles.tiles[0]);
+  depth.drawn(draw.outputs.depth);
+}
+
 // The primitives of a packet that touch the tile.
 void shade_packet(const DrawList& draws, const Packet& packet, std::span<const uint32_t> entries,
                   const Target& target, TilePlanes& planes, TileDepth& depth, BackWorker& worker) {
+  if (packet.is_dots) {
+    return shade_dots(*draws[packet.ranges[0].draw].state, entries, planes, depth, worker);
+  }
   constexpr size_t kAhead = 3;
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
@@ -187,6 +204,14 @@ void shade_packet(const DrawList& draws, const Packet& packet, std::span<const u
   }
 }
 
+// The lines of memory that a list of dots begins with; the first is fetched already.
+void fetch_dots(const TileLists::Reference& list) {
+  constexpr uint32_t kLine = 64 / sizeof(uint32_t), kFetched = 4 * kLine;
+  for (uint32_t e = kLine; e < std::min(list.count, kFetched); e += kLine) {
+    hwy::Prefetch(list.entries + e);
+  }
+}
+
 // Scattered primitives make many short lists, and each would wait for memory
 // three times: for its entries, the primitive, the vertices.
 void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
@@ -198,6 +223,10 @@ void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
     const bool primitives = ahead == next + 6;
     const TileLists::Reference& list = lists[ahead];
     const Packet& packet = *packets[list.packet];
+    if (packet.is_dots) {
+      if (!primitives) fetch_dots(list);
+      continue;
+    }
     for (uint32_t e = 0; e < std::min(list.count, kEntries); ++e) {
       const uint32_t entry = list.entries[e];
       if ((entry & kSmallEntry) == 0) {

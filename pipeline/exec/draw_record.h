@@ -18,6 +18,7 @@ struct DrawState {
   uint32_t vertex_group = 0;
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
+  bool may_draw_dots = false;  // see dots.h
   SetupState setup;
   ClipState clip;
 };

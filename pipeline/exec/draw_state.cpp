@@ -7,6 +7,8 @@
 #include <cstring>
 #include <new>
 
+#include "pipeline/exec/dots.h"
+
 namespace clearpipe::pipeline {
 
 namespace {
@@ -184,6 +186,7 @@ const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   if (target_.depth_stencil) setup.depth_bits = target_.depth_stencil->depth_bits;
   setup.mirror_height = target_.mirrored ? target_.height : 0;
   setup.two_sided = setup.layout.back_colour_offset != 0;
+  draw->may_draw_dots = primitive == Primitive::kPoints && may_draw_dots(*draw, vertex_);
   return draw;
 }
 

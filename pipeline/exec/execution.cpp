@@ -142,10 +142,11 @@ void Execution::run_tiles(size_t worker) {
 // Whether the tiles are less work than waking a thread to share it, from what the packets hold.
 bool Execution::is_little() const {
   // Nanoseconds, roughly.
-  constexpr int64_t kTile = 80, kPrimitive = 150, kPixel = 8, kWakeUp = 60000;
+  constexpr int64_t kTile = 80, kPrimitive = 150, kDot = 10, kPixel = 8, kWakeUp = 60000;
   int64_t work = kTile * grid_.count();
   for (size_t i = 0; i < packets_.size() && work < kWakeUp; ++i) {
     if (packets_[i]->is_clear) continue;
+    if (packets_[i]->is_dots) work += kDot * packets_[i]->primitive_count;
     work += kPrimitive * static_cast<int64_t>(packets_[i]->small.size());
     for (const PrimitiveRecord& p : packets_[i]->primitives) {
       work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);

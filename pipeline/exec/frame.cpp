@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/exec/dots.h"
 #include "pipeline/exec/draw_state.h"
 #include "pipeline/exec/execution.h"
 #include "pipeline/exec/frame_data.h"
@@ -53,14 +54,28 @@ struct Frame::Impl {
     return packet;
   }
 
+  // The last packet, if primitives may still be added to it; else null.
+  Packet* last_packet() {
+    if (packet_count == started_packets) return nullptr;
+    Packet& last = *packets[packet_count - 1];
+    const uint32_t most = last.is_dots ? kPacketDots : kPacketPrimitives;
+    return last.is_clear || last.primitive_count >= most ? nullptr : &last;
+  }
+
   Packet& open_packet() {
-    if (packet_count != started_packets) {
-      Packet& last = *packets[packet_count - 1];
-      if (!last.is_clear && last.primitive_count < kPacketPrimitives) {
-        return last;
-      }
+    Packet* last = last_packet();
+    return last != nullptr && !last->is_dots ? *last : add_packet();
+  }
+  // One for dots of a draw.
+  Packet& open_dots(uint32_t draw_index) {
+    Packet* last = last_packet();
+    if (last != nullptr && last->is_dots &&
+        draws[last->ranges.back().draw].state == draws[draw_index].state) {
+      return *last;
     }
-    return add_packet();
+    Packet& packet = add_packet();
+    packet.is_dots = true;
+    return packet;
   }
 
   void forget_recorded() {
@@ -98,15 +113,23 @@ struct Frame::Impl {
     } else {
       draws.push_back(draw);
     }
-    add_primitives(static_cast<uint32_t>(draws.size() - 1), skipped, count);
+    const auto index = static_cast<uint32_t>(draws.size() - 1);
+    const bool dots = draws_dots(command, draw) && (count >= kLeastDots || ends_in_dots(index));
+    add_primitives(index, skipped, count, dots);
     primitive_total += count;
   }
 
-  void add_primitives(uint32_t draw_index, uint32_t first, uint32_t count) {
-    const uint32_t end = first + count;
+  // Whether dots of the draw were the last to be recorded.
+  bool ends_in_dots(uint32_t draw_index) {
+    const Packet* last = last_packet();
+    return last != nullptr && last->is_dots && last->ranges.back().draw == draw_index;
+  }
+
+  void add_primitives(uint32_t draw_index, uint32_t first, uint32_t count, bool dots) {
+    const uint32_t end = first + count, most = dots ? kPacketDots : kPacketPrimitives;
     while (first < end) {
-      Packet& packet = open_packet();
-      const uint32_t part = std::min(end - first, kPacketPrimitives - packet.primitive_count);
+      Packet& packet = dots ? open_dots(draw_index) : open_packet();
+      const uint32_t part = std::min(end - first, most - packet.primitive_count);
       if (!packet.ranges.empty() && packet.ranges.back().draw == draw_index) {
         packet.ranges.back().primitive_count += part;
       } else {

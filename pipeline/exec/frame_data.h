@@ -40,6 +40,7 @@ struct Packet {
   std::vector<PacketRange> ranges;
   uint32_t primitive_count = 0;
   bool is_clear = false;
+  bool is_dots = false;  // all of its ranges are of dots (dots.h), with one state
   ClearCommand clear;
 
   // Filled by the front phase.
@@ -51,7 +52,7 @@ struct Packet {
   void reset() {
     ranges.clear();
     primitive_count = 0;
-    is_clear = false;
+    is_clear = is_dots = false;
     primitives = {};
     small = {};
   }

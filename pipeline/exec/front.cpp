@@ -8,6 +8,7 @@
 #include <span>
 
 #include "pipeline/exec/corners.h"
+#include "pipeline/exec/dots.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/setup/lanes.h"
 
@@ -83,6 +84,7 @@ bool share_setup(const DrawRecord& a, const DrawRecord& b) {
 class FrontWorker {
  public:
   void run(const DrawList& draws, const TileGrid& grid, Packet& packet) {
+    if (packet.is_dots) return dots_.run(draws, grid, bin_scratch_, arena_, packet);
     packet.bins.reset(grid, bin_scratch_);
     const std::vector<PacketRange>& ranges = packet.ranges;
     primitives_.start(0);
@@ -333,6 +335,7 @@ class FrontWorker {
 
   Arena arena_;
   BinScratch bin_scratch_;
+  DotWorker dots_;
   // The lists of the packet at hand.
   ArenaLists<PrimitiveRecord> primitives_;
   ArenaLists<SmallPrimitive> small_;

@@ -194,6 +194,13 @@ void remake_fragment_program(FragmentProgram& made, const FragmentState& state,
 
 bool batches_small(const FragmentProgram& program) { return program.batches_small; }
 
+bool writes_primitive_colours(const FragmentProgram& program) {
+  return program.colour_mask == 0xffffffffu && !program.blend.enabled && !program.has_logic_op &&
+         (program.early_depth || !program.uses_depth_stencil) &&
+         program.inputs.texture_units == 0 && program.fog_mode == FogMode::kNone &&
+         !program.alpha_test && !program.srgb && !program.antialiased;
+}
+
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
 FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.inputs; }

@@ -53,9 +53,7 @@ class SmallBatch {
         replaces_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
                   !program.has_logic_op),
         in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)),
-        solid_(in_order_ && program.inputs.texture_units == 0 &&
-               program.fog_mode == FogMode::kNone && !program.alpha_test && !program.srgb &&
-               !program.antialiased),
+        solid_(writes_primitive_colours(program)),
         lane_of_(scratch.lane_of),
         depth_of_(scratch.depth_of),
         batch_(scratch.batch) {
@@ -189,7 +187,9 @@ class SmallBatch {
     const int32_t* const offset = offset_ + count_;
     shade_batch();
     const TagI d;
-    const VecI pixel = pack_lanes(planes.colour, program_.format);
+    const VecF colour[4] = {planes.colour[0].value, planes.colour[1].value, planes.colour[2].value,
+                            planes.colour[3].value};
+    const VecI pixel = pack_lanes(colour, program_.format);
     auto* const pixels = reinterpret_cast<int32_t*>(batch_.colour);
     for (int i = 0; i < count; i += kLanes) {
       hn::Store(FragmentPlanes(hn::Load(d, lane_of_ + i))(pixel), d, pixels + i);

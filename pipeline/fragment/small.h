@@ -11,4 +11,8 @@ inline constexpr int kSmallUnits = 2;
 
 bool batches_small(const FragmentProgram& program);
 
+// Whether the colours of primitives are those of their pixels, which replace what was there where
+// no depth test keeps them from it.
+bool writes_primitive_colours(const FragmentProgram& program);
+
 }  // namespace clearpipe::pipeline

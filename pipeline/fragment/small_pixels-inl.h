@@ -79,15 +79,15 @@ inline void round_colours(const float (&colour)[4][kBatchSize], bool textured,
   }
 }
 
-// The pixels that flat colours become where no stage changes them, a primitive in each lane.
+// The pixels that colours become where no stage changes them, one in each lane.
 HWY_INLINE hn::Vec<hn::ScalableTag<int32_t>> pack_lanes(
-    const setup::HWY_NAMESPACE::LanePlane (&colour)[4], ColourFormat format) {
+    const hn::Vec<hn::ScalableTag<float>> (&colour)[4], ColourFormat format) {
   const hn::ScalableTag<float> d;
   const hn::ScalableTag<int32_t> di;
   const hn::ScalableTag<uint32_t> du;
   const hn::Rebind<int16_t, decltype(d)> d16;
-  const auto byte = [&](const setup::HWY_NAMESPACE::LanePlane& plane) HWY_ATTR {
-    const auto rounded = hn::DemoteTo(d16, round_colour(d, plane.value));
+  const auto byte = [&](auto value) HWY_ATTR {
+    const auto rounded = hn::DemoteTo(d16, round_colour(d, value));
     return hn::BitCast(du, hn::PromoteTo(di, to_unorm8(d16, rounded)));
   };
   const auto low = hn::Or(byte(colour[0]), hn::ShiftLeft<8>(byte(colour[1])));

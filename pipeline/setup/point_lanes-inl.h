@@ -33,24 +33,36 @@ struct LaneSquare {
   VecI left, right, low, high;
 };
 
-// 3.3: whole pixels.
+struct LanePixels {
+  VecI x, y;
+};
+
+// 3.3: the first of a square of whole pixels.
+HWY_INLINE LanePixels first_pixels(const SetupState& state, VecF x, VecF y, VecI width,
+                                   MaskI& far) {
+  const TagI d;
+  const auto odd = hn::Ne(hn::And(width, hn::Set(d, 1)), hn::Zero(d));
+  const VecI rounding = hn::IfThenZeroElse(odd, hn::Set(d, kSubpixelOne / 2));
+  const auto first = [&](VecI centre) HWY_ATTR {
+    return hn::Sub(hn::ShiftRight<kSubpixelBits>(hn::Add(centre, rounding)),
+                   hn::ShiftRight<1>(width));
+  };
+  VecI centre_y = snap_lanes(y, far);
+  if (state.mirror_height > 0) {
+    centre_y = hn::Sub(hn::Set(d, state.mirror_height * kSubpixelOne), centre_y);
+  }
+  return {first(snap_lanes(x, far)), first(centre_y)};
+}
+
 HWY_INLINE LaneSquare pixel_square(const SetupState& state, VecF x, VecF y, VecF size,
                                    MaskI& general) {
   const TagI d;
   const VecI width = hn::ConvertTo(d, hn::Ceil(hn::Sub(size, hn::Set(TagF(), 0.5f))));
-  const VecI half_pixel = hn::Set(d, kSubpixelOne / 2);
-  const auto odd = hn::Ne(hn::And(width, hn::Set(d, 1)), hn::Zero(d));
-  const VecI rounding = hn::IfThenZeroElse(odd, half_pixel);
-  const auto first = [&](VecI centre) HWY_ATTR {
-    const VecI pixel =
-        hn::Sub(hn::ShiftRight<kSubpixelBits>(hn::Add(centre, rounding)), hn::ShiftRight<1>(width));
-    return hn::Sub(hn::ShiftLeft<kSubpixelBits>(pixel), half_pixel);
+  const LanePixels pixels = first_pixels(state, x, y, width, general);
+  const auto low_end = [&](VecI pixel) HWY_ATTR {
+    return hn::Sub(hn::ShiftLeft<kSubpixelBits>(pixel), hn::Set(d, kSubpixelOne / 2));
   };
-  VecI centre_y = snap_lanes(y, general);
-  if (state.mirror_height > 0) {
-    centre_y = hn::Sub(hn::Set(d, state.mirror_height * kSubpixelOne), centre_y);
-  }
-  const VecI left = first(snap_lanes(x, general)), low = first(centre_y);
+  const VecI left = low_end(pixels.x), low = low_end(pixels.y);
   const VecI side = hn::ShiftLeft<kSubpixelBits>(width);
   return {left, hn::Add(left, side), low, hn::Add(low, side)};
 }
