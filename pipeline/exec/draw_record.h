@@ -19,6 +19,7 @@ struct DrawState {
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
   bool may_draw_dots = false;  // see dots.h
+  bool shades_points = false;  // points of more than a small primitive need no batch
   SetupState setup;
   ClipState clip;
 };

@@ -197,7 +197,7 @@ class FrontWorker {
       const DrawRecord& draw = draws[ranges[r].draw];
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
-      draws_narrow_ = draws_narrow(draw);
+      draws_narrow_ = draws_narrow(draw) && !draw.state->shades_points;
       size_t end = r;
       uint32_t count = 0;
       while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
@@ -213,7 +213,8 @@ class FrontWorker {
         range_records_.push_back(records_);
         for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
-          if (fate == LaneFate::kGeneral) {
+          const bool alone = state.shades_points && lanes_.more[i] != 0;
+          if (fate == LaneFate::kGeneral || (alone && fate != LaneFate::kNothing)) {
             emit_corners(state, ranges[r].draw, corners, i, packet);
           } else if (fate == LaneFate::kSnapped || fate == LaneFate::kSnappedOther) {
             emit_line(state, ranges[r].draw, fate == LaneFate::kSnapped, i, packet);

@@ -42,6 +42,7 @@ struct UsageEntry;
 struct ProgramBase {
   FusedFunction fused = nullptr;  // null: the chain
   bool batches_small = false;     // see small.h
+  bool fits_strips = false;       // a textured one whose fused form may shade in strips
   UsageEntry* usage = nullptr;    // where its pixels count (usage.h)
   FragmentInputs inputs;
   std::array<ChainStep, 15 + 2 * kMaxTextureUnits> steps;

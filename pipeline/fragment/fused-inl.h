@@ -19,6 +19,7 @@
 #include "pipeline/fragment/fused_unit-inl.h"
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/split_plane-inl.h"
+#include "pipeline/fragment/strips-inl.h"
 #include "pipeline/fragment/write_row-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -227,6 +228,10 @@ class FusedLoop {
 
   // Everything else.
   void shade_any(const Coverage& coverage) {
+    if (kTextured && p_.fits_strips && !planes_.perspective && Strips::fit(coverage)) {
+      Strips(p_, planes_, tile_).run(coverage);
+      return;
+    }
     const TilePlaces places(tile_, planes_);
     if (tests_late_ && depth_.test) depth_plane_.set(planes_.depth, places);
     if (needs_w_) inv_w_.set(planes_.inv_w, places);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/fragment/fused.h"
 
+#include <algorithm>
+
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -64,6 +66,21 @@ bool has_simple_environment(const Combiner& combiner, int unit) {
          is_simple(combiner.alpha, combiner.alpha_argument, unit, CombineOperand::kAlpha, true);
 }
 
+// Whether nothing but texturing by samples of rows and simple environments makes the colours.
+bool fits_strips(const FragmentProgram& program) {
+  const unsigned units = program.inputs.texture_units;
+  if (units == 0 || units >> kStripUnits != 0 || program.alpha_test ||
+      program.fog_mode != FogMode::kNone) {
+    return false;
+  }
+  return std::all_of(program.unit.begin(), program.unit.begin() + kStripUnits,
+                     [&](const UnitProgram& unit) {
+                       return (units >> (&unit - program.unit.data()) & 1) == 0 ||
+                              (unit.simple_environment && !unit.sample.needs_lod &&
+                               unit.fused_min != FusedSampler::kAny);
+                     });
+}
+
 }  // namespace
 
 void select_fused(FragmentProgram& program) {
@@ -77,6 +94,7 @@ void select_fused(FragmentProgram& program) {
     unit.simple_environment = has_simple_environment(unit.combiner, u);
   }
   program.fused = fragment::find(program.inputs.texture_units != 0);
+  program.fits_strips = program.fused != nullptr && fits_strips(program);
 }
 
 }  // namespace clearpipe::pipeline

@@ -14,4 +14,7 @@ namespace clearpipe::pipeline {
 // program goes on as a chain.
 void select_fused(FragmentProgram& program);
 
+// The texture units that a program which is shaded in strips may use: the first so many.
+inline constexpr int kStripUnits = 2;
+
 }  // namespace clearpipe::pipeline

@@ -123,6 +123,30 @@ class Fused : public ::testing::TestWithParam<int> {
     return s;
   }
 
+  // One that is shaded in strips where coverage is narrow (strips-inl.h).
+  FragmentState simple_state() {
+    FragmentState s = state();
+    s.fog = FogMode::kNone;
+    s.alpha_test = false;
+    const int enabled = 1 + below(3);
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+      TextureUnit& unit = s.unit[static_cast<size_t>(u)];
+      unit = {};
+      if ((enabled >> u & 1) == 0) continue;
+      unit.enabled = true;
+      unit.image = image();
+      unit.sampler.wrap_s = any<Wrap>(2);
+      unit.sampler.wrap_t = any<Wrap>(2);
+      unit.sampler.min = unit.sampler.mag = any<Filter>(2);
+      unit.sampler.mip = MipFilter::kNone;
+      do {
+        unit.combiner = {};
+        combiner(u, static_cast<uint8_t>(enabled), unit.combiner);
+      } while (unit.combiner.rgb != Combine::kModulate && unit.combiner.rgb != Combine::kReplace);
+    }
+    return s;
+  }
+
   Plane plane(float value, float step) {
     return {number(-value, value), number(-step, step), number(-step, step)};
   }
@@ -148,27 +172,7 @@ class Fused : public ::testing::TestWithParam<int> {
     return p;
   }
 
-  std::mt19937 random_{static_cast<unsigned>(GetParam())};
-};
-
-TEST_P(Fused, GivesTheBitsOfTheChain) {
-  const FragmentState s = state();
-  FragmentTarget target = {true, true};
-  if (chance(3)) target.format = any<ColourFormat>(4);
-  if (chance(3)) target.depth_bits = 16;
-  const std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)> program(
-      make_fragment_program(s, target, FragmentCoverage::kCentre), destroy_fragment_program);
-  const bool one_lane = std::string_view(simd_target_name()) == "SCALAR";
-  ASSERT_EQ(program->fused == nullptr, one_lane);
-  for (int round = 0; round < 3; ++round) {
-    const PrimitivePlanes p = planes();
-    Coverage coverage{};
-    coverage.first_row = below(8);
-    coverage.last_row = coverage.first_row + 1 + below(kTileHeight - coverage.first_row);
-    for (uint64_t& row : coverage.rows) {
-      const uint64_t noise = random_() | static_cast<uint64_t>(random_()) << 32;
-      row = chance(2) ? ~uint64_t{0} : chance(2) ? noise : noise & 0xffff0000u;
-    }
+  void compare(const FragmentProgram& program, const PrimitivePlanes& p, const Coverage& coverage) {
     auto fused = std::make_unique<OwnTile>();
     fused->x = 64 * below(4);
     fused->y = 32 * below(4);
@@ -178,13 +182,72 @@ TEST_P(Fused, GivesTheBitsOfTheChain) {
       fused->depth_stencil[i] = static_cast<uint32_t>(random_());
     }
     auto chain = std::make_unique<OwnTile>(*fused);
-    shade(*program, p, coverage, *fused);
-    run_chain(*program, p, coverage, *chain);
+    shade(program, p, coverage, *fused);
+    run_chain(program, p, coverage, *chain);
     for (int i = 0; i < kTilePixels; ++i) {
       ASSERT_EQ(fused->colour[i], chain->colour[i]) << "pixel " << i % 64 << ", " << i / 64;
       ASSERT_EQ(fused->depth_stencil[i], chain->depth_stencil[i])
           << "pixel " << i % 64 << ", " << i / 64;
     }
+  }
+
+  uint64_t noise() { return random_() | static_cast<uint64_t>(random_()) << 32; }
+
+  std::mt19937 random_{static_cast<unsigned>(GetParam())};
+};
+
+using Program = std::unique_ptr<FragmentProgram, void (*)(FragmentProgram*)>;
+
+Program make_program(const FragmentState& state, const FragmentTarget& target) {
+  return {make_fragment_program(state, target, FragmentCoverage::kCentre),
+          destroy_fragment_program};
+}
+
+TEST_P(Fused, GivesTheBitsOfTheChain) {
+  const FragmentState s = state();
+  FragmentTarget target = {true, true};
+  if (chance(3)) target.format = any<ColourFormat>(4);
+  if (chance(3)) target.depth_bits = 16;
+  const Program program = make_program(s, target);
+  const bool one_lane = std::string_view(simd_target_name()) == "SCALAR";
+  ASSERT_EQ(program->fused == nullptr, one_lane);
+  for (int round = 0; round < 3; ++round) {
+    const PrimitivePlanes p = planes();
+    Coverage coverage{};
+    coverage.first_row = below(8);
+    coverage.last_row = coverage.first_row + 1 + below(kTileHeight - coverage.first_row);
+    for (uint64_t& row : coverage.rows) {
+      const uint64_t some = noise();
+      row = chance(2) ? ~uint64_t{0} : chance(2) ? some : some & 0xffff0000u;
+    }
+    compare(*program, p, coverage);
+  }
+}
+
+// Narrow coverage, rectangles of it or any pixels; textures that are not turned, or are.
+TEST_P(Fused, GivesTheBitsOfTheChainInStrips) {
+  const FragmentState s = simple_state();  // which keeps the textures
+  FragmentTarget target = {true, true};
+  if (chance(3)) target.format = any<ColourFormat>(4);
+  const Program program = make_program(s, target);
+  for (int round = 0; round < 3; ++round) {
+    PrimitivePlanes p = planes();
+    p.perspective = chance(8);
+    for (auto& unit : p.texture) {
+      if (!chance(6)) unit[0].dy = 0;
+      if (!chance(6)) unit[1].dx = 0;
+      if (!chance(6)) unit[3] = {1, 0, 0};
+    }
+    Coverage coverage{};
+    coverage.first_row = below(20);
+    coverage.last_row = coverage.first_row + 1 + below(kTileHeight - coverage.first_row);
+    const int width = 1 + below(chance(4) ? 64 : 33), column = below(65 - width);
+    const uint64_t columns = ~uint64_t{0} >> (64 - width) << column;
+    const bool rectangle = chance(2);
+    for (int row = coverage.first_row; row < coverage.last_row; ++row) {
+      coverage.rows[row] = rectangle ? columns : columns & (noise() | noise());
+    }
+    compare(*program, p, coverage);
   }
 }
 

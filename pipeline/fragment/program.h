@@ -88,6 +88,10 @@ struct FragmentInputs {
 };
 FragmentInputs fragment_inputs(const FragmentProgram& program);
 
+// Whether primitives of some width in pixels, which have no perspective, are shaded well by
+// themselves (strips-inl.h), and need no batch (small.h).
+bool shades_strips(const FragmentProgram& program);
+
 // What the depth test of the program does (4.1.5).
 struct DepthRule {
   bool test = false;  // on values that can be compared as integers of 24 bits

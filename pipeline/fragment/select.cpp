@@ -201,6 +201,8 @@ bool writes_primitive_colours(const FragmentProgram& program) {
          !program.alpha_test && !program.srgb && !program.antialiased;
 }
 
+bool shades_strips(const FragmentProgram& program) { return program.fits_strips; }
+
 void destroy_fragment_program(FragmentProgram* program) { delete program; }
 
 FragmentInputs fragment_inputs(const FragmentProgram& program) { return program.inputs; }

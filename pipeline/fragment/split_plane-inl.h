@@ -56,7 +56,13 @@ class SplitPlane {
   // At the pixels of a row from `column` on, a whole vector of them.
   HWY_INLINE hn::Vec<hn::ScalableTag<float>> at(int row, int column) const {
     const hn::ScalableTag<float> d;
-    return hn::Add(hn::Set(d, row_[row]), hn::Load(d, column_ + column));
+    return hn::Add(hn::Set(d, row_[row]), hn::LoadU(d, column_ + column));
+  }
+
+  // At the pixels of a column from `row` on.
+  HWY_INLINE hn::Vec<hn::ScalableTag<float>> rows(int row, int column) const {
+    const hn::ScalableTag<float> d;
+    return hn::Add(hn::Load(d, row_ + row), hn::Set(d, column_[column]));
   }
 
   // Whether all values of some rows are in [low, high]. Rounding keeps order, so that the least

@@ -10,6 +10,22 @@ namespace clearpipe::pipeline {
 
 namespace {
 
+// A rectangle of pixels, from the first of each axis to the one behind the last.
+bool set_pixels(const SetupState& state, int left, int right, int bottom, int top,
+                PrimitiveRecord& out) {
+  const int x0 = std::max(left, state.bounds.x0), x1 = std::min(right, state.bounds.x1);
+  const int y0 = std::max(bottom, state.bounds.y0), y1 = std::min(top, state.bounds.y1);
+  if (x0 >= x1 || y0 >= y1) {
+    return false;
+  }
+  out.x0 = static_cast<int16_t>(x0);
+  out.y0 = static_cast<int16_t>(y0);
+  out.x1 = static_cast<int16_t>(x1);
+  out.y1 = static_cast<int16_t>(y1);
+  out.edge_count = 0;
+  return true;
+}
+
 // 3.3: an odd size is centred on a pixel, an even one on a pixel corner.
 bool setup_square(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
   // Rounded to nearest; of two equally near, the smaller.
@@ -22,30 +38,27 @@ bool setup_square(const SetupState& state, const float* window, float size, Prim
   const int rounding = (width & 1) != 0 ? 0 : kSubpixelOne / 2;
   const int left = ((x + rounding) >> kSubpixelBits) - width / 2;
   const int bottom = ((y + rounding) >> kSubpixelBits) - width / 2;
-  const int x0 = std::max(left, state.bounds.x0);
-  const int x1 = std::min(left + width, state.bounds.x1);
-  const int y0 = std::max(bottom, state.bounds.y0);
-  const int y1 = std::min(bottom + width, state.bounds.y1);
-  if (x0 >= x1 || y0 >= y1) {
-    return false;
-  }
-  out.x0 = static_cast<int16_t>(x0);
-  out.y0 = static_cast<int16_t>(y0);
-  out.x1 = static_cast<int16_t>(x1);
-  out.y1 = static_cast<int16_t>(y1);
-  out.edge_count = 0;
-  return true;
+  return set_pixels(state, left, left + width, bottom, bottom + width, out);
 }
+
+// A sprite that fills fewer pixels of a row is narrow, as polygons are.
+constexpr int kNarrowSprite = 16;
 
 bool setup_sprite(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
   const int32_t width = snap(size);
   const int32_t left = snap(window[0] - 0.5f) - width / 2;
   const int32_t first = snap(window[1] - 0.5f) - width / 2;
-  const int32_t low = mirror(state, first);
-  const int32_t high = mirror(state, first + width);
-  const SnappedPoint corners[4] = {
-      {left, low}, {left + width, low}, {left + width, high}, {left, high}};
-  return set_polygon(state, corners, 4, out);
+  const int32_t y0 = mirror(state, first), y1 = mirror(state, first + width);
+  const int32_t low = std::min(y0, y1), high = std::max(y0, y1);
+  if (state.coverage != FragmentCoverage::kCentre) {
+    const SnappedPoint corners[4] = {
+        {left, low}, {left + width, low}, {left + width, high}, {left, high}};
+    return set_polygon(state, corners, 4, out);
+  }
+  // Centres on the left and the lower edge are inside, as edge.h has it.
+  const auto centre = [](int32_t v) { return (v + kSubpixelOne - 1) >> kSubpixelBits; };
+  out.narrow = width < kNarrowSprite * kSubpixelOne;
+  return set_pixels(state, centre(left), centre(left + width), centre(low), centre(high), out);
 }
 
 // Smaller circles are shaded many at once (exec/small.h), with the corners of their boxes.
