@@ -8,6 +8,7 @@
 #include <GLES/glext.h>
 
 #include <array>
+#include <vector>
 
 namespace bench {
 
@@ -126,6 +127,62 @@ double four_units(const View& view) {
   return view.pixels();
 }
 
+// A game in two dimensions: a map of tiles, and sprites over it, that move. Rectangles are pairs of
+// triangles, with texels as large as pixels.
+constexpr int kMapTile = 32, kSprite = 64, kAtlas = 256;
+std::vector<GLfloat> corners, places;  // of the map, then of the sprites
+GLsizei map_corners;
+
+void add_rectangle(float x, float y, float side, float s, float t) {
+  const float end_s = s + side / kAtlas, end_t = t + side / kAtlas;
+  corners.insert(corners.end(),
+                 {x, y, x + side, y, x, y + side, x, y + side, x + side, y, x + side, y + side});
+  places.insert(places.end(), {s, t, end_s, t, s, end_t, s, end_t, end_s, t, end_s, end_t});
+}
+
+double set_up_game(const View& view) {
+  glMatrixMode(GL_PROJECTION);
+  glOrthof(0, GLfloat(view.width), 0, GLfloat(view.height), -1, 1);
+  glMatrixMode(GL_MODELVIEW);
+  use_noise_texture(3, {.size = kAtlas, .wrap = GL_CLAMP_TO_EDGE, .smooth = true});
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  Noise noise(4);
+  for (int y = 0; y < view.height; y += kMapTile) {
+    for (int x = 0; x < view.width; x += kMapTile) {
+      const uint32_t tile = noise.bits();
+      constexpr int kInAtlas = kAtlas / kMapTile;
+      add_rectangle(float(x), float(y), kMapTile, float(tile % kInAtlas) / kInAtlas,
+                    float(tile / kInAtlas % kInAtlas) / kInAtlas);
+    }
+  }
+  map_corners = GLsizei(corners.size() / 2);
+  for (int i = 0; i < view.amount; ++i) {
+    add_rectangle(noise.between(-kSprite, float(view.width)),
+                  noise.between(-kSprite, float(view.height)), kSprite,
+                  0.25f * float(noise.bits() % 4), 0.25f * float(noise.bits() % 4));
+  }
+  glVertexPointer(2, GL_FLOAT, 0, corners.data());
+  glTexCoordPointer(2, GL_FLOAT, 0, places.data());
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  return view.amount;
+}
+
+void draw_game(const View&, int number) {
+  const auto sprite_corners = GLsizei(corners.size() / 2) - map_corners;
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glDrawArrays(GL_TRIANGLES, 0, map_corners);
+  glEnable(GL_BLEND);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+  glColor4f(1, 0.9f, 0.8f, 1);
+  glPushMatrix();
+  glTranslatef(float(number % 8), float(number % 5), 0);
+  glDrawArrays(GL_TRIANGLES, map_corners, sprite_corners);
+  glPopMatrix();
+}
+
 constexpr Scene scene(const char* name, const char* what, double (*set_up)(const View&),
                       void (*frame)(const View&, int) = whole, double share = 0.999) {
   return {.name = name,
@@ -157,6 +214,12 @@ constexpr std::array kScenes = {
           grazing),
     scene("texture_anisotropic_grazing", "a floor and a ceiling, 8 times anisotropic",
           anisotropic_grazing, grazing, 0.7),
+    Scene{.name = "tiles_and_sprites",
+          .what = "a map of 32x32 tiles, 300 blended sprites of 64x64",
+          .unit = "sprite",
+          .amount = 300,
+          .set_up = set_up_game,
+          .frame = draw_game},
     scene("units_two_modulated", "two bilinear textures, modulated", two_units),
     scene("units_two_combined", "two: modulated and scaled, interpolated", two_combined),
     scene("units_three_combined", "three: modulated, added, and their dot product", three_combined),

@@ -186,8 +186,8 @@ const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   if (target_.depth_stencil) setup.depth_bits = target_.depth_stencil->depth_bits;
   setup.mirror_height = target_.mirrored ? target_.height : 0;
   setup.two_sided = setup.layout.back_colour_offset != 0;
-  draw->shades_points = primitive == Primitive::kPoints &&
-                        coverage == FragmentCoverage::kCentre && shades_strips(*draw->program);
+  draw->shades_points = primitive == Primitive::kPoints && coverage == FragmentCoverage::kCentre &&
+                        shades_strips(*draw->program);
   draw->may_draw_dots = primitive == Primitive::kPoints && may_draw_dots(*draw, vertex_);
   return draw;
 }

@@ -50,8 +50,11 @@ HWY_INLINE sampling::HWY_NAMESPACE::LinearAxis texels_of_axis(Filter filter, Wra
 
 class AlignedSampler {
  public:
-  // Coordinates of a unit whose q is 1.
-  static bool is_for(const Plane& s, const Plane& t) { return s.dy == 0 && t.dx == 0; }
+  // The coordinates of a unit.
+  static bool is_for(const Plane (&coordinates)[4]) {
+    const auto& [s, t, r, q] = coordinates;
+    return s.dy == 0 && t.dx == 0 && q.value == 1 && q.dx == 0 && q.dy == 0;
+  }
 
   void start(const SampleState& state, const SplitPlane& s, const SplitPlane& t) {
     const TagI d;
@@ -135,7 +138,11 @@ class AlignedSampler {
     const int width = level_->width;
     const uint32_t* const from = level_->texels + first_texel_;
     const Texels row0(from + row_[0][row] * width, width);
-    if (filter_ == Filter::kNearest) return row0.take(first_);
+    // Samples at the centres of texels, as of pictures that are drawn as large as they are, are
+    // those texels.
+    if (filter_ == Filter::kNearest || (!is_between_ && row_weight_[row] == 0)) {
+      return row0.take(first_);
+    }
     const Texels row1(from + row_[1][row] * width, width);
     const Weight down = spread<false>(hn::Set(d, row_weight_[row]));
     const auto across = [&](const Texels& texels) HWY_ATTR {
@@ -168,6 +175,7 @@ class AlignedSampler {
     first_ = places_of(axis.first);
     second_ = places_of(axis.second);
     across_ = spread<false>(axis.weight);
+    is_between_ = !hn::AllTrue(d, hn::Eq(hn::IfThenElseZero(wanted, axis.weight), hn::Zero(d)));
   }
 
   HWY_INLINE Places places_of(VecI texel) const {
@@ -191,6 +199,7 @@ class AlignedSampler {
   int first_texel_;    // of the first vector
   Places first_, second_;
   sampling::HWY_NAMESPACE::Weight across_;
+  bool is_between_;  // some weight is not 0
 };
 
 #endif  // HWY_TARGET != HWY_SCALAR

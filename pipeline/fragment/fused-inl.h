@@ -63,17 +63,10 @@ class FusedTextures {
     for (int i = 0; i < count_; ++i) unit_[i].sample(row, halves, w, batch_);
   }
 
-  // Whether fragments of this primary colour get the texels of the only unit as they are, but for
-  // the bits that are set in `texel_bits`.
+  // As fragment::gives_texels(), of the only unit.
   bool gives_texels(const PrimitivePlanes& planes, uint32_t& texel_bits) const {
-    if (count_ != 1 || !simple_ || !unit_[0].has_pixels() || !planes.flat_colour) return false;
-    const Combiner& combiner = p_->unit[number_[0]].combiner;
-    const auto is_one = [&](int c) { return planes.colour[c].value == float{kColourOne}; };
-    const bool keeps_alpha = combiner.alpha == Combine::kReplace &&
-                             combiner.alpha_argument[0].source == CombineSource::kPrevious;
-    texel_bits = keeps_alpha ? 0xff000000u : 0;
-    return (combiner.rgb == Combine::kReplace || (is_one(0) && is_one(1) && is_one(2))) &&
-           ((combiner.alpha == Combine::kReplace && !keeps_alpha) || is_one(3));
+    return count_ == 1 && simple_ && unit_[0].has_pixels() &&
+           fragment::HWY_NAMESPACE::gives_texels(p_->unit[number_[0]].combiner, planes, texel_bits);
   }
   HWY_INLINE Pair<VecU> texels(int group) const { return unit_[0].pixels(group); }
 
@@ -228,7 +221,7 @@ class FusedLoop {
 
   // Everything else.
   void shade_any(const Coverage& coverage) {
-    if (kTextured && p_.fits_strips && !planes_.perspective && Strips::fit(coverage)) {
+    if (kTextured && p_.fits_strips && Strips::fit(p_, planes_, coverage)) {
       Strips(p_, planes_, tile_).run(coverage);
       return;
     }

@@ -271,6 +271,19 @@ class FusedUnit {
   QuadLevels levels_;
 };
 
+// Whether fragments of the primary colour get the texels of a simple environment's unit as they are,
+// but for the bits that are set in `texel_bits`.
+inline bool gives_texels(const Combiner& combiner, const PrimitivePlanes& planes,
+                         uint32_t& texel_bits) {
+  const auto is_one = [&](int c) { return planes.colour[c].value == float{kColourOne}; };
+  const bool keeps_alpha = combiner.alpha == Combine::kReplace &&
+                           combiner.alpha_argument[0].source == CombineSource::kPrevious;
+  texel_bits = keeps_alpha ? 0xff000000u : 0;
+  return planes.flat_colour &&
+         (combiner.rgb == Combine::kReplace || (is_one(0) && is_one(1) && is_one(2))) &&
+         ((combiner.alpha == Combine::kReplace && !keeps_alpha) || is_one(3));
+}
+
 // 3.7.12 for MODULATE and REPLACE of the unit's own texture.
 HWY_INLINE void apply_simple_environment(const Combiner& combiner, const Colour16& texture,
                                          Colour16& colour) {

@@ -35,13 +35,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 // program with FragmentProgram::fits_strips.
 class Strips {
  public:
-  // Whether strips are for the coverage: those of wider ones would save nothing.
-  static bool fit(const Coverage& coverage) {
+  // Whether strips are for the coverage of a primitive. Those of wide ones save something where no
+  // texture is turned.
+  static bool fit(const FragmentProgram& program, const PrimitivePlanes& planes,
+                  const Coverage& coverage) {
     constexpr int kWidest = 2 * kLanes;
-    uint64_t columns = 0;
-    for (int row = coverage.first_row; row < coverage.last_row; ++row) {
-      columns |= coverage.rows[row];
-    }
+    if (planes.perspective) return false;
+    if (are_aligned(program, planes)) return true;
+    const uint64_t columns = columns_of(coverage);
     return std::bit_width(columns) - std::countr_zero(columns) <= kWidest;
   }
 
@@ -51,6 +52,7 @@ class Strips {
         flat_(planes.flat_colour),
         opaque_(program.colour_mask == 0xffffffffu && !program.blend.enabled &&
                 !program.has_logic_op),
+        aligned_(are_aligned(program, planes)),
         truncation_(truncation_of(program.format)) {
     if (!opaque_) writer_ = row_writer(program);
     const TilePlaces places(tile, planes);
@@ -62,33 +64,35 @@ class Strips {
         colour_[c].set(planes.colour[c], places);
       }
     }
-    for (int u = 0; u < kStripUnits; ++u) {
-      if ((program.inputs.texture_units >> u & 1) == 0) continue;
-      unit_[count_++].start(program.unit[u], planes.texture[u], places);
-    }
+    for_each_unit(
+        program, [&](int u) { unit_[count_++].start(program.unit[u], planes.texture[u], places); });
+    gives_texels_ = count_ == 1 && gives_texels(unit_[0].program->combiner, planes, texel_bits_);
   }
 
-  // A piece of each row after another, then the next pieces, so that those of a rectangle have
-  // their columns in common. Two that may overlap are never in one strip.
+  // A piece of each row after another, then the next pieces, so that two that may overlap are never
+  // in one strip. Where no texture is turned pieces have their columns in common.
   void run(const Coverage& coverage) {
     Coverage left = coverage;
-    for (bool more = true; more;) {
-      more = false;
+    for (uint64_t columns = columns_of(left); columns != 0;) {
+      uint64_t columns_left = 0;
       int pieces = 0;
       for (int row = left.first_row; row < left.last_row; ++row) {
         uint64_t& bits = left.rows[row];
-        if (bits == 0) continue;
         // Whole vectors of the tile's row are read and written.
-        const int column = std::min(std::countr_zero(bits), kTileWidth - kLanes);
-        place(pieces++, row, column, bits >> column & kAllLanes);
+        const int column =
+            std::min(std::countr_zero(aligned_ ? columns : bits), kTileWidth - kLanes);
+        const uint64_t taken = bits >> column & kAllLanes;
         bits &= ~(kAllLanes << column);
-        more = more || bits != 0;
+        columns_left |= bits;
+        if (taken == 0) continue;
+        place(pieces++, row, column, taken, aligned_ ? columns >> column & kAllLanes : taken);
         if (pieces == kPieces) {
           shade(pieces);
           pieces = 0;
         }
       }
       if (pieces != 0) shade(pieces);
+      columns = columns_left;
     }
   }
 
@@ -107,7 +111,7 @@ class Strips {
     Halves left;  // pieces that are not sampled yet
     AlignedSampler aligned;
 
-    void start(const UnitProgram& unit, const Plane* planes, const TilePlaces& places) {
+    void start(const UnitProgram& unit, const Plane (&planes)[4], const TilePlaces& places) {
       program = &unit;
       sampler = row_sampler(unit.fused_min);
       s_plane.set(planes[0], places);
@@ -115,14 +119,14 @@ class Strips {
       const Plane& q = planes[3];
       q_is_one = q.value == 1 && q.dx == 0 && q.dy == 0;
       if (!q_is_one) q_plane.set(q, places);
-      is_aligned = q_is_one && AlignedSampler::is_for(planes[0], planes[1]);
+      is_aligned = AlignedSampler::is_for(planes);
       if (is_aligned) aligned.start(unit.sample, s_plane, t_plane);
       left = 0;
     }
 
-    HWY_INLINE void place(int piece, int row, int column, uint64_t bits) {
+    HWY_INLINE void place(int piece, int row, int column, uint64_t sampled) {
       const TagF d;
-      if (is_aligned && aligned.set_columns(column, bits)) {
+      if (is_aligned && aligned.set_columns(column, sampled)) {
         hn::Store(aligned.sample(row), TagU(), texels.pixel + piece * kLanes);
         return;
       }
@@ -152,14 +156,39 @@ class Strips {
     }
   };
 
-  // A piece of a row: what is stored there, and where it is.
-  HWY_INLINE void place(int piece, int row, int column, uint64_t bits) {
+  // The columns that have pixels.
+  static uint64_t columns_of(const Coverage& coverage) {
+    uint64_t columns = 0;
+    for (int row = coverage.first_row; row < coverage.last_row; ++row) {
+      columns |= coverage.rows[row];
+    }
+    return columns;
+  }
+
+  template <class F>
+  static HWY_INLINE void for_each_unit(const FragmentProgram& program, const F& function) {
+    for (int u = 0; u < kStripUnits; ++u) {
+      if ((program.inputs.texture_units >> u & 1) != 0) function(u);
+    }
+  }
+
+  // Whether no texture is turned.
+  static bool are_aligned(const FragmentProgram& program, const PrimitivePlanes& planes) {
+    bool aligned = true;
+    for_each_unit(program,
+                  [&](int u) { aligned = aligned && AlignedSampler::is_for(planes.texture[u]); });
+    return aligned;
+  }
+
+  // A piece of a row: what is stored there, and where it is. `sampled` are those of its pixels
+  // that some piece of these columns has.
+  HWY_INLINE void place(int piece, int row, int column, uint64_t bits, uint64_t sampled) {
     const TagU d;
     if (piece == 0) covered_ = 0;
     covered_ |= bits << (piece * kLanes);
     row_of_[piece] = row;
     column_of_[piece] = column;
-    for (int i = 0; i < count_; ++i) unit_[i].place(piece, row, column, bits);
+    for (int i = 0; i < count_; ++i) unit_[i].place(piece, row, column, sampled);
     hn::Store(hn::LoadU(d, tile_.colour + row * kTileWidth + column), d, pixels_ + piece * kLanes);
   }
 
@@ -175,19 +204,7 @@ class Strips {
     }
     for (int i = 0; i < count_; ++i) unit_[i].sample();
     for (int group = 0; 2 * group < pieces; ++group) {
-      Colour16 colour;
-      for (int c = 0; c < 4; ++c) {
-        colour.channel[c] = flat_ ? primary_.channel[c]
-                                  : narrow({rounded(c, 2 * group), rounded(c, 2 * group + 1)});
-      }
-      for (int i = 0; i < count_; ++i) unit_[i].apply(group, colour);
-      for (Vec16& channel : colour.channel) channel = to_unorm8(Tag16(), channel);
-      if (opaque_) {
-        store_live(keep(pack_pixels(colour.channel)), live_mask(group_bits(covered_, group)),
-                   pixels_ + group * kGroup);
-      } else {
-        row_.store(colour, group);
-      }
+      gives_texels_ ? put_texels(group) : put_colours(group);
     }
     if (!opaque_) writer_(p_, row_, covered_, pixels_);
     for (int i = 0; i < pieces; ++i) {
@@ -196,24 +213,58 @@ class Strips {
     }
   }
 
-  // On a surface of fewer bits what it holds of pixels (4.1.8).
-  HWY_INLINE Pair<VecU> keep(const Pair<VecU>& pixels) const {
-    if (p_.format == ColourFormat::kRgba8) return pixels;
+  HWY_INLINE void put_texels(int group) {
+    const VecU bits = hn::Set(TagU(), texel_bits_);
+    Pair<VecU> pixels = unit_[0].texels.load(group);
+    pixels = {hn::Or(pixels.lower, bits), hn::Or(pixels.upper, bits)};
+    if (opaque_) {
+      replace(pixels, group);
+    } else {
+      Colour16 colour;
+      unpack_pixels(pixels, colour.channel);
+      row_.store(colour, group);
+    }
+  }
+
+  HWY_INLINE void put_colours(int group) {
+    Colour16 colour = primary_;
+    if (!flat_) {
+      for (int c = 0; c < 4; ++c) {
+        colour.channel[c] = narrow({rounded(c, 2 * group), rounded(c, 2 * group + 1)});
+      }
+    }
+    for (int i = 0; i < count_; ++i) unit_[i].apply(group, colour);
+    for (Vec16& channel : colour.channel) channel = to_unorm8(Tag16(), channel);
+    if (opaque_) {
+      replace(pack_pixels(colour.channel), group);
+    } else {
+      row_.store(colour, group);
+    }
+  }
+
+  // On a surface of fewer bits by what it holds of pixels (4.1.8).
+  HWY_INLINE void replace(Pair<VecU> pixels, int group) {
     const TagU d;
-    return {truncate_colour(d, truncation_, pixels.lower),
-            truncate_colour(d, truncation_, pixels.upper)};
+    if (p_.format != ColourFormat::kRgba8) {
+      pixels = {truncate_colour(d, truncation_, pixels.lower),
+                truncate_colour(d, truncation_, pixels.upper)};
+    }
+    store_live(pixels, live_mask(group_bits(covered_, group)), pixels_ + group * kGroup);
   }
 
   const FragmentProgram& p_;
   Tile& tile_;
   const bool flat_;
-  const bool opaque_;  // every fragment replaces the whole pixel
+  const bool opaque_;   // every fragment replaces the whole pixel
+  const bool aligned_;  // no texture is turned
   const Truncation truncation_;
-  RowWriter writer_ = nullptr;  // where it does not
-  Colour16 primary_;            // if flat_
-  SplitPlane colour_[4];
+  RowWriter writer_ = nullptr;  // where pixels are not replaced
+  Colour16 primary_{};          // if flat_
+  SplitPlane colour_[4];        // else
   int count_ = 0;
   Unit unit_[kStripUnits];
+  bool gives_texels_;  // the colours are texels, with these bits set
+  uint32_t texel_bits_ = 0;
   // Of the strip: which pixels are covered, and where in the tile its pieces are.
   uint64_t covered_ = 0;
   int row_of_[kPieces], column_of_[kPieces];
