@@ -10,6 +10,7 @@
 #include "pipeline/exec/corners.h"
 #include "pipeline/exec/dots.h"
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/fragment/small.h"
 #include "pipeline/setup/lanes.h"
 
 namespace clearpipe::pipeline {
@@ -198,6 +199,9 @@ class FrontWorker {
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
       draws_narrow_ = draws_narrow(draw) && !draw.state->shades_points;
+      // Squares of pixels that are written as they are cost less than others.
+      widest_narrow_ =
+          writes_primitive_colours(*draw.state->program) ? RowWidth::kMedium : RowWidth::kNarrow;
       size_t end = r;
       uint32_t count = 0;
       while (end < ranges.size() && share_setup(draw, draws[ranges[end].draw])) {
@@ -317,7 +321,7 @@ class FrontWorker {
   }
 
   void add(PrimitiveRecord& record, Packet& packet) {
-    record.narrow = record.narrow && draws_narrow_;
+    record.narrow = draws_narrow_ && record.width <= widest_narrow_;
     packet.bins.add(record, static_cast<uint32_t>(primitives_.size()));
     primitives_.push_back(record);
   }
@@ -343,6 +347,7 @@ class FrontWorker {
   ArenaLists<const float*> range_records_;
   // What is small in the draw at hand becomes a small primitive; what is narrow stays so.
   bool draws_small_ = false, draws_narrow_ = false;
+  RowWidth widest_narrow_ = RowWidth::kNarrow;
   uint32_t element_count_ = 0;
   std::array<uint32_t, kPacketVertices> elements_;
   uint32_t run_count_ = 0;

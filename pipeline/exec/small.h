@@ -43,7 +43,7 @@ struct SmallKernels {
 // flush(), which must precede anything else that is done to the tile.
 class SmallShader {
  public:
-  static constexpr size_t kBatchBytes = 40 * 1024, kScratchBytes = 72 * 1024;
+  static constexpr size_t kBatchBytes = 44 * 1024, kScratchBytes = 72 * 1024;
 
   // Takes entries of a packet: as many from the first on, which has to be of a small primitive, as
   // are of small primitives of draws with one program. Returns how many that are.

@@ -70,6 +70,7 @@ FragmentState random_fragment_state(Random& random) {
   state.depth_test = random.coin();
   state.depth_write = random.coin();
   state.depth_func = random.coin() ? CompareFunc::kLess : CompareFunc::kGreaterEqual;
+  if (random.below(3) == 0) return state;  // colours are written as they are
   if (random.below(3) == 0) {
     state.stencil.enabled = true;
     state.stencil.func = CompareFunc::kLessEqual;

@@ -30,6 +30,7 @@
 #include "pipeline/fragment/small.h"
 #include "pipeline/fragment/small_group-inl.h"
 #include "pipeline/fragment/small_pixels-inl.h"
+#include "pipeline/fragment/small_squares-inl.h"
 #include "pipeline/fragment/stages-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -78,16 +79,32 @@ class SmallBatch {
                       std::span<const SmallCoverage, kSquares> squares, const Before& before) {
     const int colour_offset = back_facing && state_->two_sided ? state_->layout.back_colour_offset
                                                                : vertex_record::kColour;
+    if (group_.is_empty() || !group_.takes(kind)) {
+      end_group();
+      choose_form();
+    }
     bool has_lane = false;
+    const auto take_lane = [&] {
+      if (!has_lane || group_.is_empty()) group_.add(kind, colour_offset, size, vertex);
+      has_lane = true;
+    };
     for (const SmallCoverage& coverage : squares) {
       const Parts parts(coverage);
       before(parts);
       const int count = std::popcount(coverage.mask);
+      pixels_seen_ += count;
+      ++squares_seen_;
+      if (in_squares_) {
+        if (squares_.is_full()) end_group();
+        take_lane();
+        pending_.note_any(parts);
+        squares_.list(coverage, group_.last_lane());
+        continue;
+      }
       if (count_ + group_.pixels() + count > kRoom) {
         end_group();
         if (count_ + count > kRoom) flush();
       }
-      if (!has_lane && !group_.takes(kind)) end_group();
       if (!pending_.note(parts)) {
         if (in_order_) {
           end_group();
@@ -96,10 +113,7 @@ class SmallBatch {
         }
         pending_.note(parts);
       }
-      if (!has_lane || group_.is_empty()) {
-        group_.add(kind, colour_offset, size, vertex);
-        has_lane = true;
-      }
+      take_lane();
       group_.list(coverage, count);
     }
   }
@@ -149,18 +163,22 @@ class SmallBatch {
     if (group_.is_empty()) return;
     LanePlanes planes;
     group_.make_planes(*state_, planes);
-    compare_planes(planes);
+    if (in_squares_) {
+      squares_.shade(program_, planes, tile_);
+      squares_.clear();
+      group_.clear();
+      pending_.forget();
+      return;
+    }
+    for (int unit = 0; unit < kSmallUnits; ++unit) {
+      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
+      q_is_inv_w_[unit] = setup::HWY_NAMESPACE::is_inv_w(planes, planes.texture[unit][3]);
+    }
     const TagF d;
     const TagI di;
     const VecF half = hn::Set(d, 0.5f);
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
     const int count = program_.early_depth ? list_what_passes(planes, to_x, to_y) : list_all();
-    if (solid_ && planes.flat_colour) {
-      write_solid(planes, count);
-      group_.clear();
-      pending_.forget();
-      return;
-    }
     for (int i = 0; i < count; i += kLanes) {
       const int at = count_ + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
@@ -181,37 +199,14 @@ class SmallBatch {
     }
   }
 
-  // Primitives of one colour each that no stage changes: what has been listed is written at once,
-  // after what the batch holds.
-  HWY_INLINE void write_solid(const LanePlanes& planes, int count) {
-    const int32_t* const offset = offset_ + count_;
-    shade_batch();
-    const TagI d;
-    const VecF colour[4] = {planes.colour[0].value, planes.colour[1].value, planes.colour[2].value,
-                            planes.colour[3].value};
-    const VecI pixel = pack_lanes(colour, program_.format);
-    auto* const pixels = reinterpret_cast<int32_t*>(batch_.colour);
-    for (int i = 0; i < count; i += kLanes) {
-      hn::Store(FragmentPlanes(hn::Load(d, lane_of_ + i))(pixel), d, pixels + i);
-    }
-    scatter_pixels(batch_.colour, offset, count, tile_.colour);
-  }
-
-  // Coordinates without a q of their own are divided by what colours are.
-  HWY_INLINE void compare_planes(const LanePlanes& planes) {
-    const TagF d;
-    const LanePlane one = {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d)};
-    const LanePlane& inv_w = planes.perspective ? planes.inv_w : one;
-    for (int unit = 0; unit < kSmallUnits; ++unit) {
-      if ((program_.inputs.texture_units >> unit & 1) == 0) continue;
-      const LanePlane& q = planes.texture[unit][3];
-      const auto differ = [](VecF a, VecF b) HWY_ATTR {
-        return hn::Xor(hn::BitCast(TagI(), a), hn::BitCast(TagI(), b));
-      };
-      const VecI any = hn::Or(differ(q.value, inv_w.value),
-                              hn::Or(differ(q.dx, inv_w.dx), differ(q.dy, inv_w.dy)));
-      q_is_inv_w_[unit] = hn::AllTrue(TagI(), hn::Eq(any, hn::Zero(TagI())));
-    }
+  // Before a group begins: whether it is one of squares. Those with few pixels cost less as lists
+  // of them, so it depends on the group before, as a rule one of the same mesh.
+  void choose_form() {
+    constexpr int kDense = 8;
+    const bool dense = solid_ && pixels_seen_ >= kDense * squares_seen_;
+    pixels_seen_ = squares_seen_ = 0;
+    if (dense && !in_squares_) shade_batch();
+    in_squares_ = dense;
   }
 
   // The places and lanes of all that is listed; returns how many.
@@ -476,6 +471,9 @@ class SmallBatch {
   int count_ = 0, padded_ = 0;         // fragments
   const SetupState* state_ = nullptr;
   SmallGroup group_;
+  bool in_squares_ = false;                 // the group is one of squares_
+  int pixels_seen_ = 0, squares_seen_ = 0;  // since the form was chosen
+  SmallSquares squares_;
   PendingPixels pending_;  // those of the batch and the group; if in_order_, of the group alone
   PendingPixels held_;     // and of the batch
   alignas(64) int32_t offset_[kBatchSize];  // index into the tile's planes

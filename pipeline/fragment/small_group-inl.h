@@ -162,6 +162,7 @@ class SmallGroup {
   }
 
   bool is_empty() const { return primitives_.count == 0; }
+  int last_lane() const { return primitives_.count - 1; }
   PrimitiveKind kind() const { return kind_; }
   int pixels() const { return listed_; }
 
@@ -310,15 +311,21 @@ class PendingPixels {
   // Notes the pixels of a mask; false, and nothing is noted, when one is there already.
   HWY_INLINE bool note(const SquareParts& parts) {
     if (has(parts)) return false;
-    uint64_t* const square = square_ + parts.first;
-    for (int i = 0; i < 4; ++i) square[SquareParts::kPlace[i]] |= parts.bits[i];
+    note_any(parts);
     return true;
   }
   HWY_INLINE bool note(const WholeSquare& whole) {
     if (has(whole)) return false;
-    square_[whole.first] |= whole.bits;
+    note_any(whole);
     return true;
   }
+
+  // The same whether one is there or not.
+  HWY_INLINE void note_any(const SquareParts& parts) {
+    uint64_t* const square = square_ + parts.first;
+    for (int i = 0; i < 4; ++i) square[SquareParts::kPlace[i]] |= parts.bits[i];
+  }
+  HWY_INLINE void note_any(const WholeSquare& whole) { square_[whole.first] |= whole.bits; }
 
   // Notes what the other has, too.
   HWY_INLINE void note(const PendingPixels& other) {

@@ -85,6 +85,7 @@ HWY_INLINE hn::Vec<hn::ScalableTag<int32_t>> pack_lanes(
   const hn::ScalableTag<float> d;
   const hn::ScalableTag<int32_t> di;
   const hn::ScalableTag<uint32_t> du;
+#if HWY_TARGET == HWY_SCALAR
   const hn::Rebind<int16_t, decltype(d)> d16;
   const auto byte = [&](auto value) HWY_ATTR {
     const auto rounded = hn::DemoteTo(d16, round_colour(d, value));
@@ -93,6 +94,16 @@ HWY_INLINE hn::Vec<hn::ScalableTag<int32_t>> pack_lanes(
   const auto low = hn::Or(byte(colour[0]), hn::ShiftLeft<8>(byte(colour[1])));
   const auto high = hn::Or(byte(colour[2]), hn::ShiftLeft<8>(byte(colour[3])));
   const auto pixels = hn::Or(low, hn::ShiftLeft<16>(high));
+#else
+  // Two channels in the halves of each lane.
+  const hn::Repartition<int16_t, decltype(d)> d16;
+  const auto bytes = [&](auto low, auto high) HWY_ATTR {
+    const auto both = hn::Or(round_colour(d, low), hn::ShiftLeft<16>(round_colour(d, high)));
+    return hn::BitCast(du, to_unorm8(d16, hn::BitCast(d16, both)));
+  };
+  const auto pixels =
+      hn::Or(bytes(colour[0], colour[2]), hn::ShiftLeft<8>(bytes(colour[1], colour[3])));
+#endif
   if (format == ColourFormat::kRgba8) return hn::BitCast(di, pixels);
   return hn::BitCast(di, truncate_colour(du, truncation_of(format), pixels));
 }

@@ -55,6 +55,20 @@ struct LanePlanes {
   LanePlane texture[kMaxTextureUnits][4];  // s, t, not r, q
 };
 
+// Whether a plane is what colours are divided by, in all lanes: coordinates without a q of their
+// own have such a one.
+HWY_INLINE bool is_inv_w(const LanePlanes& planes, const LanePlane& q) {
+  const PlaneTag d;
+  const hn::RebindToSigned<PlaneTag> di;
+  const LanePlane one = {hn::Set(d, 1.0f), hn::Zero(d), hn::Zero(d)};
+  const LanePlane& inv_w = planes.perspective ? planes.inv_w : one;
+  const auto differ = [&](PlaneVec a, PlaneVec b)
+                          HWY_ATTR { return hn::Xor(hn::BitCast(di, a), hn::BitCast(di, b)); };
+  const auto any =
+      hn::Or(differ(q.value, inv_w.value), hn::Or(differ(q.dx, inv_w.dx), differ(q.dy, inv_w.dy)));
+  return hn::AllTrue(di, hn::Eq(any, hn::Zero(di)));
+}
+
 #if HWY_TARGET != HWY_SCALAR
 // Of each fourth vertex from `first` on, four values behind one another: the blocks of a vector.
 template <class D, class Offset>

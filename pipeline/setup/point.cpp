@@ -41,9 +41,6 @@ bool setup_square(const SetupState& state, const float* window, float size, Prim
   return set_pixels(state, left, left + width, bottom, bottom + width, out);
 }
 
-// A sprite that fills fewer pixels of a row is narrow, as polygons are.
-constexpr int kNarrowSprite = 16;
-
 bool setup_sprite(const SetupState& state, const float* window, float size, PrimitiveRecord& out) {
   const int32_t width = snap(size);
   const int32_t left = snap(window[0] - 0.5f) - width / 2;
@@ -57,7 +54,7 @@ bool setup_sprite(const SetupState& state, const float* window, float size, Prim
   }
   // Centres on the left and the lower edge are inside, as edge.h has it.
   const auto centre = [](int32_t v) { return (v + kSubpixelOne - 1) >> kSubpixelBits; };
-  out.narrow = width < kNarrowSprite * kSubpixelOne;
+  out.width = row_width(int64_t{width} * width, width);
   return set_pixels(state, centre(left), centre(left + width), centre(low), centre(high), out);
 }
 
@@ -72,7 +69,7 @@ bool setup_circle(const SetupState& state, const float* window, float size, Prim
   const bool smooth = state.coverage == FragmentCoverage::kSmooth;
   out.is_circle = true;
   out.circle = {x, y, radius, smooth ? reach_of(state.coverage) : 0};
-  out.narrow = smooth && radius <= kNarrowRadius * kSubpixelOne;
+  if (smooth && radius <= kNarrowRadius * kSubpixelOne) out.width = RowWidth::kNarrow;
   return set_box(state, {x - radius, y - radius}, {x + radius, y + radius}, out);
 }
 

@@ -8,17 +8,6 @@
 
 namespace clearpipe::pipeline {
 
-namespace {
-
-// Whether a polygon covers few pixels of a row, on average: then its pixels are shaded with those
-// of other primitives (exec/small.h), else a row at a time. `height` is that of its box.
-bool is_narrow(int64_t doubled_area, int32_t height) {
-  constexpr int64_t kPixels = 16;
-  return std::abs(doubled_area) < 2 * kPixels * kSubpixelOne * height;
-}
-
-}  // namespace
-
 int32_t snap(float pixels) {
   const float v = pixels * static_cast<float>(kSubpixelOne);
   // Below 2^22, adding 1.5 * 2^23 rounds to the nearest integer; a call of the library takes
@@ -85,7 +74,7 @@ bool set_polygon(const SetupState& state, const SnappedPoint* corners, int count
     const SnappedPoint& q = corners[(i + 1) % count];
     doubled_area += static_cast<int64_t>(p.x) * q.y - static_cast<int64_t>(q.x) * p.y;
   }
-  out.narrow = is_narrow(doubled_area, max_y - min_y);
+  out.width = row_width(std::abs(doubled_area) / 2, max_y - min_y);
   for (int i = 0; i < count; ++i) {
     const SnappedPoint& p = corners[i];
     const SnappedPoint& q = corners[(i + 1) % count];

@@ -31,6 +31,9 @@ struct SetupState {
   bool two_sided = false;          // back colour at layout.back_colour_offset
 };
 
+// How many pixels of a row a primitive covers, on average: fewer than 16, fewer than 40, or more.
+enum class RowWidth : uint8_t { kNarrow, kMedium, kWide };
+
 struct PrimitiveRecord {
   const float* vertex[3] = {};  // vertex records; points use one, lines two
   union {
@@ -46,7 +49,8 @@ struct PrimitiveRecord {
   uint8_t edge_count = 0;    // 0: the whole box is covered, or the circle in it
   bool is_circle = false;
   bool back_facing = false;
-  bool narrow = false;  // covers few pixels of a row
+  RowWidth width = RowWidth::kWide;
+  bool narrow = false;  // so narrow that its pixels are shaded with others' (exec/small.h)
   bool cut = false;     // outside of the box may be pixels that are inside the edges
 };
 
@@ -56,6 +60,13 @@ bool setup_triangle(const SetupState& state, const float* v0, const float* v1, c
                     PrimitiveRecord& out);
 bool setup_line(const SetupState& state, const float* v0, const float* v1, PrimitiveRecord& out);
 bool setup_point(const SetupState& state, const float* v0, PrimitiveRecord& out);
+
+// That of a box or a polygon whose area is so many pixels, in square subpixels.
+inline RowWidth row_width(int64_t area, int32_t height) {
+  const int64_t pixel = int64_t{kSubpixelOne} * height;
+  if (area >= 40 * pixel) return RowWidth::kWide;
+  return area >= 16 * pixel ? RowWidth::kMedium : RowWidth::kNarrow;
+}
 
 // Position snapped to 1/256 pixel and measured from the centre of pixel (0, 0), y upwards.
 struct SnappedPoint {
