@@ -36,8 +36,9 @@ class DrawList {
  private:
   static constexpr size_t kBlock = 256;
 
-  size_t size_ = 0;
-  std::array<std::unique_ptr<DrawRecord[]>, kMaxDraws / kBlock> blocks_;
+  // Apart, as workers look for draws while others are added.
+  alignas(64) std::array<std::unique_ptr<DrawRecord[]>, kMaxDraws / kBlock> blocks_;
+  alignas(64) size_t size_ = 0;
 };
 
 }  // namespace clearpipe::pipeline

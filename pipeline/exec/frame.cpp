@@ -42,7 +42,7 @@ struct Frame::Impl {
   size_t executed_packets = 0, executed_draws = 0;
   size_t started_packets = 0, started_draws = 0;
   size_t packets_seen = 1;
-  Execution execution;
+  alignas(64) Execution execution;  // which workers look at while all the rest changes
 
   Packet& add_packet() {
     if (packet_count == packets.size()) {

@@ -35,7 +35,9 @@ struct PacketRange {
   uint32_t first_primitive = 0, primitive_count = 0;
 };
 
-struct Packet {
+// Apart from each other: the worker that has one must not wait for the lines in which draws are
+// added to the next.
+struct alignas(128) Packet {
   // Filled while recording.
   std::vector<PacketRange> ranges;
   uint32_t primitive_count = 0;

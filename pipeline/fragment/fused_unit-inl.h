@@ -271,8 +271,8 @@ class FusedUnit {
   QuadLevels levels_;
 };
 
-// Whether fragments of the primary colour get the texels of a simple environment's unit as they are,
-// but for the bits that are set in `texel_bits`.
+// Whether fragments of the primary colour get the texels of a simple environment's unit as they
+// are, but for the bits that are set in `texel_bits`.
 inline bool gives_texels(const Combiner& combiner, const PrimitivePlanes& planes,
                          uint32_t& texel_bits) {
   const auto is_one = [&](int c) { return planes.colour[c].value == float{kColourOne}; };
