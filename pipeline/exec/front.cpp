@@ -80,6 +80,13 @@ bool share_setup(const DrawRecord& a, const DrawRecord& b) {
          s.raster.front_is_clockwise == t.raster.front_is_clockwise;
 }
 
+// Whether points that are shaded by themselves have all one size, which no small primitive has.
+bool has_large_points(const DrawRecord& draw) {
+  const AttributeSource& size = draw.sources->attributes[static_cast<int>(Attribute::kPointSize)];
+  return draw.state->shades_points && !size.is_array && !draw.vertex->point_attenuated &&
+         size.constant.x > kSmallSide;
+}
+
 // The scratch memory of one worker: the elements of the ranges at hand with a table that finds an
 // element already listed, so that a vertex used by several primitives is transformed once.
 class FrontWorker {
@@ -208,7 +215,7 @@ class FrontWorker {
         count += ranges[end++].primitive_count;
       }
       const auto kind = static_cast<PrimitiveKind>(corners - 1);
-      const bool in_lanes = draws_small_;
+      const bool in_lanes = draws_small_ && !has_large_points(draw);
       if (in_lanes) {
         setup_lanes(kind, draw.state->setup, lane_job(records_, lanes_, first, count));
       }
@@ -217,7 +224,7 @@ class FrontWorker {
         range_records_.push_back(records_);
         for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
-          const bool alone = state.shades_points && lanes_.more[i] != 0;
+          const bool alone = state.shades_points && in_lanes && lanes_.more[i] != 0;
           if (fate == LaneFate::kGeneral || (alone && fate != LaneFate::kNothing)) {
             emit_corners(state, ranges[r].draw, corners, i, packet);
           } else if (fate == LaneFate::kSnapped || fate == LaneFate::kSnappedOther) {

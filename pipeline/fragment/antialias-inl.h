@@ -109,6 +109,24 @@ HWY_INLINE SmoothShape<V> smooth_shape(bool is_circle, V half_width, V dx, V dy)
   return shape;
 }
 
+// That of each fragment of a vector, from those of primitives: `of` takes values of primitives to
+// their fragments.
+template <class V, class Of>
+HWY_INLINE SmoothShape<V> shape_of_fragments(const SmoothShape<V>& shapes, const Of& of) {
+  SmoothShape<V> shape;
+  shape.is_circle = shapes.is_circle;
+  if (shape.is_circle) {
+    shape.radius = of(shapes.radius);
+    return shape;
+  }
+  V y[4];
+  for (int p = 0; p < 4; ++p) y[p] = of(shapes.edge[p].py);
+  for (int p = 0; p < 4; ++p) {  // an edge begins where the last one ends
+    shape.edge[p] = {of(shapes.edge[p].px), y[p], y[(p + 1) % 4], of(shapes.edge[p].slope)};
+  }
+  return shape;
+}
+
 // How much of the pixel around (x, y) is covered, relative to the region's reference.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::Rebind<int16_t, D>> covered_share(D d, const SmoothShape<V>& shape, V x,

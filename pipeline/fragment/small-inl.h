@@ -179,11 +179,19 @@ class SmallBatch {
     const VecF half = hn::Set(d, 0.5f);
     const VecF to_x = hn::Sub(half, planes.x_ref), to_y = hn::Sub(half, planes.y_ref);
     const int count = program_.early_depth ? list_what_passes(planes, to_x, to_y) : list_all();
+    SmoothShape<VecF> shapes;
+    if (program_.antialiased) {
+      shapes = smooth_shape(group_.kind() == PrimitiveKind::kPoint, planes.half_width, planes.dx,
+                            planes.dy);
+    }
     for (int i = 0; i < count; i += kLanes) {
       const int at = count_ + i;
       const FragmentPlanes of(hn::Load(di, lane_of_ + i));
       const Places p = places_of(hn::LoadU(di, offset_ + at), of(to_x), of(to_y));
-      if (program_.antialiased) find_coverage(planes, of, p.x, p.y, at);
+      if (program_.antialiased) {
+        hn::StoreU(covered_share(d, shape_of_fragments(shapes, of), p.x, p.y),
+                   hn::Rebind<int16_t, TagF>(), coverage_ + at);
+      }
       evaluate_varyings(planes, of, p.x, p.y, at);
       if (needs_lod_) {
         const VecI left = hn::AndNot(hn::Set(di, 1), hn::Add(p.column, hn::Set(di, tile_.x)));
@@ -265,14 +273,6 @@ class SmallBatch {
                      tile_.depth_stencil);
     }
     return count;
-  }
-
-  HWY_INLINE void find_coverage(const LanePlanes& planes, const FragmentPlanes& of, VecF x, VecF y,
-                                int at) {
-    const TagF d;
-    const auto shape = smooth_shape(group_.kind() == PrimitiveKind::kPoint, of(planes.half_width),
-                                    of(planes.dx), of(planes.dy));
-    hn::StoreU(covered_share(d, shape, x, y), hn::Rebind<int16_t, TagF>(), coverage_ + at);
   }
 
   HWY_INLINE void evaluate_varyings(const LanePlanes& planes, const FragmentPlanes& of, VecF x,
