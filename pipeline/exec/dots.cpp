@@ -165,7 +165,7 @@ void DotWorker::run_job(const DrawRecord& draw, const TileGrid& grid, uint32_t c
   float* const records =
       records_.allocate_array<float>(size_t{draw.state->clip.layout.stride} * count);
   run_vertex_stages(make_vertex_job(draw, elements_.data(), count, records));
-  exec::PlacedDot dots[kVertices + 1];  // one more is written
+  exec::PlacedDot dots[kVertices];
   const size_t found = exec::resolve_dots()(*draw.state, grid, records, count, dots);
   for (size_t i = 0; i < found; ++i) bins.add(dots[i].tile, dots[i].dot);
 }

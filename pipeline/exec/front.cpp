@@ -80,7 +80,8 @@ bool share_setup(const DrawRecord& a, const DrawRecord& b) {
          s.raster.front_is_clockwise == t.raster.front_is_clockwise;
 }
 
-// Whether points that are shaded by themselves have all one size, which no small primitive has.
+// Whether points are shaded by themselves: those of one size, which no small primitive has. Where
+// sizes vary, small ones would wait in batches that each large one ends.
 bool has_large_points(const DrawRecord& draw) {
   const AttributeSource& size = draw.sources->attributes[static_cast<int>(Attribute::kPointSize)];
   return draw.state->shades_points && !size.is_array && !draw.vertex->point_attenuated &&
@@ -205,7 +206,8 @@ class FrontWorker {
       const DrawRecord& draw = draws[ranges[r].draw];
       const int corners = corner_count(draw.primitive);
       draws_small_ = draws_small(draw);
-      draws_narrow_ = draws_narrow(draw) && !draw.state->shades_points;
+      const bool large_points = has_large_points(draw);
+      draws_narrow_ = draws_narrow(draw) && !large_points;
       // Squares of pixels that are written as they are cost less than others.
       widest_narrow_ =
           writes_primitive_colours(*draw.state->program) ? RowWidth::kMedium : RowWidth::kNarrow;
@@ -215,7 +217,7 @@ class FrontWorker {
         count += ranges[end++].primitive_count;
       }
       const auto kind = static_cast<PrimitiveKind>(corners - 1);
-      const bool in_lanes = draws_small_ && !has_large_points(draw);
+      const bool in_lanes = draws_small_ && !large_points;
       if (in_lanes) {
         setup_lanes(kind, draw.state->setup, lane_job(records_, lanes_, first, count));
       }
@@ -224,8 +226,7 @@ class FrontWorker {
         range_records_.push_back(records_);
         for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
-          const bool alone = state.shades_points && in_lanes && lanes_.more[i] != 0;
-          if (fate == LaneFate::kGeneral || (alone && fate != LaneFate::kNothing)) {
+          if (fate == LaneFate::kGeneral) {
             emit_corners(state, ranges[r].draw, corners, i, packet);
           } else if (fate == LaneFate::kSnapped || fate == LaneFate::kSnappedOther) {
             emit_line(state, ranges[r].draw, fate == LaneFate::kSnapped, i, packet);

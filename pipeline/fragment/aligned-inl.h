@@ -16,6 +16,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "pipeline/fragment/early_tests-inl.h"
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/sample_axis-inl.h"
 #include "pipeline/fragment/sample_colours-inl.h"

@@ -9,7 +9,8 @@
 //
 // A pixel may stand in the batch only once: a primitive that covers one again has to wait for what
 // came before it, so the batch is shaded first. Where the last fragment replaces all before it,
-// only a group may have no pixel twice.
+// only a group may have no pixel twice. Colours that are written as they are need no batch where
+// squares have many pixels (small_squares-inl.h).
 // SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_SMALL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_SMALL_INL_H_
