@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "pipeline/raster/coverage.h"
+#include "pipeline/raster/stroke.h"
 #include "pipeline/raster/tile.h"
 
 namespace clearpipe::pipeline {
@@ -81,6 +82,20 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
   for (int row = first_row; row <= last_row; ++row, walk.next_row()) {
     for (int column = first_column; column <= last_column; ++column, walk.next_column()) {
       if (!walk.misses()) note(column, row, index);
+    }
+  }
+}
+
+void Bins::add(const StrokeRecord& stroke, uint32_t index) {
+  const int first_column = stroke.x0 / kTileWidth, last_column = (stroke.x1 - 1) / kTileWidth;
+  const int first_row = stroke.y0 / kTileHeight, last_row = (stroke.y1 - 1) / kTileHeight;
+  // As for other primitives.
+  const bool test = last_column > first_column && last_row > first_row;
+  for (int row = first_row; row <= last_row; ++row) {
+    for (int column = first_column; column <= last_column; ++column) {
+      if (!test || touches_tile(stroke, column * kTileWidth, row * kTileHeight)) {
+        note(column, row, index);
+      }
     }
   }
 }

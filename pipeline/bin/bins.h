@@ -15,6 +15,7 @@
 #include "pipeline/exec/arena.h"
 #include "pipeline/setup/primitive.h"
 #include "pipeline/setup/small.h"
+#include "pipeline/setup/stroke.h"
 
 namespace clearpipe::pipeline {
 
@@ -96,6 +97,8 @@ class Bins {
       add_across(primitive, right / kTileWidth, up / kTileHeight, index);
     }
   }
+
+  void add(const StrokeRecord& stroke, uint32_t index);
 
   // A dot of the tile; nothing else may be added to the same bins.
   void add(uint32_t tile, const Dot& dot) { scratch_->dots_.push_back({count_in(tile), dot}); }

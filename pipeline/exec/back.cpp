@@ -10,11 +10,13 @@
 #include "pipeline/exec/dots.h"
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/exec/small.h"
+#include "pipeline/exec/strokes.h"
 #include "pipeline/exec/tile_depth.h"
 #include "pipeline/fragment/usage.h"
 #include "pipeline/merge/merge.h"
 #include "pipeline/raster/coverage.h"
 #include "pipeline/raster/squares.h"
+#include "pipeline/raster/stroke.h"
 
 namespace clearpipe::pipeline {
 
@@ -102,6 +104,18 @@ void shade_narrow(const DrawState& draw, const PrimitiveRecord& primitive, TileP
   depth.drawn(draw.outputs.depth);
 }
 
+void shade_stroke(const DrawState& draw, const StrokeRecord& stroke, TilePlanes& planes,
+                  TileDepth& depth, BackWorker& worker) {
+  Tile& tile = worker.tiles.tiles[0];
+  worker.small.flush();
+  if (counts_usage()) {
+    count_pixels(*draw.program, UsageForm::kSmall, count_pixels(stroke, tile.x, tile.y));
+  }
+  planes.prepare(draw.outputs, false);
+  draw_stroke(*draw.program, stroke, tile);
+  depth.drawn(draw.outputs.depth);
+}
+
 // A primitive that is neither: its coverage, its planes, its pixels.
 void shade_primitive(const DrawState& draw, const PrimitiveRecord& primitive, const Target& target,
                      TilePlanes& planes, TileDepth& depth, SampleTiles& tiles) {
@@ -147,11 +161,24 @@ void count_small(const FragmentProgram& program, const Packet& packet,
   count_pixels(program, UsageForm::kSmall, pixels);
 }
 
-// A record may begin anywhere in a cache line.
-void fetch(const PrimitiveRecord& primitive) {
-  const auto* bytes = reinterpret_cast<const std::byte*>(&primitive);
-  for (size_t at = 0; at < sizeof(primitive); at += 64) hwy::Prefetch(bytes + at);
-  hwy::Prefetch(bytes + sizeof(primitive) - 1);
+// A record may begin anywhere in a cache line. Inlined, as GCC drops calls of a function that does
+// nothing but fetch ahead.
+template <class Record>
+HWY_INLINE void fetch(const Record& record) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&record);
+  for (size_t at = 0; at < sizeof(record); at += 64) hwy::Prefetch(bytes + at);
+  hwy::Prefetch(bytes + sizeof(record) - 1);
+}
+
+// What an entry numbers.
+HWY_INLINE void fetch_record(const Packet& packet, uint32_t entry) {
+  if ((entry & kStrokeEntry) != 0) {
+    fetch(packet.strokes[entry & ~kStrokeEntry]);
+  } else if ((entry & kSmallEntry) != 0) {
+    hwy::Prefetch(&packet.small[entry & ~kSmallEntry]);
+  } else {
+    fetch(packet.primitives[entry]);
+  }
 }
 
 // A packet's dots in the tile.
@@ -173,13 +200,16 @@ void shade_packet(const DrawList& draws, const Packet& packet, std::span<const u
   if (packet.is_dots) {
     return shade_dots(*draws[packet.ranges[0].draw].state, entries, planes, depth, worker);
   }
-  constexpr size_t kAhead = 3;
+  constexpr size_t kAhead = 4;
   for (size_t at = 0; at < entries.size();) {
     const uint32_t index = entries[at];
-    if ((index & kSmallEntry) == 0) {
-      if (at + kAhead < entries.size() && (entries[at + kAhead] & kSmallEntry) == 0) {
-        fetch(packet.primitives[entries[at + kAhead]]);
-      }
+    if ((index & kStrokeEntry) != 0) {
+      if (at + kAhead < entries.size()) fetch_record(packet, entries[at + kAhead]);
+      const StrokeRecord& stroke = packet.strokes[index & ~kStrokeEntry];
+      shade_stroke(*draws[stroke.draw].state, stroke, planes, depth, worker);
+      ++at;
+    } else if ((index & kSmallEntry) == 0) {
+      if (at + kAhead < entries.size()) fetch_record(packet, entries[at + kAhead]);
       const PrimitiveRecord& primitive = packet.primitives[index];
       const DrawState& draw = *draws[primitive.draw].state;
       if (primitive.narrow) {
@@ -216,7 +246,7 @@ void fetch_dots(const TileLists::Reference& list) {
 // three times: for its entries, the primitive, the vertices.
 void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
                  std::span<const TileLists::Reference> lists, size_t next) {
-  constexpr uint32_t kEntries = 3;  // of a list
+  constexpr uint32_t kEntries = 4;  // of a list
   if (next + 9 < lists.size()) hwy::Prefetch(lists[next + 9].entries);
   for (const size_t ahead : {next + 6, next + 3}) {
     if (ahead >= lists.size()) continue;
@@ -229,26 +259,19 @@ void fetch_ahead(const DrawList& draws, std::span<Packet* const> packets,
     }
     for (uint32_t e = 0; e < std::min(list.count, kEntries); ++e) {
       const uint32_t entry = list.entries[e];
-      if ((entry & kSmallEntry) == 0) {
-        const PrimitiveRecord& primitive = packet.primitives[entry];
-        if (primitives) {
-          fetch(primitive);
-        } else {
-          for (const float* vertex : primitive.vertex) hwy::Prefetch(vertex);
-        }
-      } else {
+      if (primitives) {
+        fetch_record(packet, entry);
+      } else if ((entry & (kSmallEntry | kStrokeEntry)) == 0) {
+        for (const float* vertex : packet.primitives[entry].vertex) hwy::Prefetch(vertex);
+      } else if ((entry & kSmallEntry) != 0) {
         const SmallPrimitive& small = packet.small[entry & ~kSmallEntry];
-        if (primitives) {
-          hwy::Prefetch(&small);
-        } else {
-          const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
-          hwy::Prefetch(packet.records[small.range] +
-                        size_t{small.vertex[0]} * draw.setup.layout.stride);
-        }
+        const DrawState& draw = *draws[packet.ranges[small.range].draw].state;
+        hwy::Prefetch(packet.records[small.range] +
+                      size_t{small.vertex[0]} * draw.setup.layout.stride);
       }
     }
   }
-  // GCC drops calls of a function that does nothing but fetch ahead.
+  // So that calls stay.
   std::atomic_signal_fence(std::memory_order_acq_rel);
 }
 

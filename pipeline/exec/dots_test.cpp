@@ -41,15 +41,6 @@ Points random_points(uint32_t seed) {
   return points;
 }
 
-AttributeSource floats(const std::vector<float>& values, size_t first, uint8_t size) {
-  AttributeSource source;
-  source.is_array = true;
-  source.size = size;
-  source.stride = size * uint32_t{sizeof(float)};
-  source.pointer = reinterpret_cast<const std::byte*>(values.data() + first * size);
-  return source;
-}
-
 // Draws them so many at a time.
 void draw_points(Scene& scene, const Points& points, uint32_t at_once) {
   scene.frame.set_vertex_state(scene.vertex);
@@ -65,24 +56,6 @@ void draw_points(Scene& scene, const Points& points, uint32_t at_once) {
         scene.vertex.point_size;
     ASSERT_TRUE(scene.frame.draw(command));
   }
-}
-
-struct Planes {
-  std::vector<uint32_t> colour, depth;
-};
-
-Planes planes_of(const Scene& scene) {
-  Planes planes{std::vector<uint32_t>(kWidth * kHeight), std::vector<uint32_t>(kWidth * kHeight)};
-  const DepthStencilBuffer& depths = *scene.target.depth_stencil;
-  for (int y = 0; y < kHeight; ++y) {
-    read_pixels(*scene.target.colour, 0, y, kWidth, planes.colour.data() + y * kWidth);
-    for (int x = 0; x < kWidth; ++x) {
-      const size_t place = place_in_tiles(kWidth, x, y), tile = place / kTilePixels;
-      planes.depth[size_t(y) * kWidth + size_t(x)] =
-          depths.uniform->is_uniform(tile) ? depths.uniform->value[tile] : depths.values[place];
-    }
-  }
-  return planes;
 }
 
 // What `prepare` makes of two scenes, drawn as dots and in small draws.

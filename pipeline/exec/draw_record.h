@@ -19,6 +19,7 @@ struct DrawState {
   const FragmentProgram* program = nullptr;
   FragmentOutputs outputs;
   bool may_draw_dots = false;  // see dots.h
+  bool draws_strokes = false;  // see strokes.h
   bool shades_points = false;  // points larger than small primitives need no batch
   SetupState setup;
   ClipState clip;

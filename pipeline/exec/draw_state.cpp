@@ -8,6 +8,7 @@
 #include <new>
 
 #include "pipeline/exec/dots.h"
+#include "pipeline/exec/strokes.h"
 
 namespace clearpipe::pipeline {
 
@@ -188,6 +189,8 @@ const DrawState* CurrentState::make(Primitive primitive, Arena& arena) {
   setup.two_sided = setup.layout.back_colour_offset != 0;
   draw->shades_points = primitive == Primitive::kPoints && coverage == FragmentCoverage::kCentre &&
                         shades_strips(*draw->program);
+  draw->draws_strokes =
+      kind_of(primitive) == kind_of(Primitive::kLines) && pipeline::draws_strokes(*draw);
   draw->may_draw_dots = primitive == Primitive::kPoints && may_draw_dots(*draw, vertex_);
   return draw;
 }

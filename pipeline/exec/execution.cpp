@@ -147,7 +147,8 @@ bool Execution::is_little() const {
   for (size_t i = 0; i < packets_.size() && work < kWakeUp; ++i) {
     if (packets_[i]->is_clear) continue;
     if (packets_[i]->is_dots) work += kDot * packets_[i]->primitive_count;
-    work += kPrimitive * static_cast<int64_t>(packets_[i]->small.size());
+    work +=
+        kPrimitive * static_cast<int64_t>(packets_[i]->small.size() + packets_[i]->strokes.size());
     for (const PrimitiveRecord& p : packets_[i]->primitives) {
       work += kPrimitive + kPixel * (p.x1 - p.x0) * (p.y1 - p.y0);
     }

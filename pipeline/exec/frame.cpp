@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/exec/dots.h"
+#include "pipeline/exec/strokes.h"
 #include "pipeline/exec/draw_state.h"
 #include "pipeline/exec/execution.h"
 #include "pipeline/exec/frame_data.h"
@@ -58,13 +59,19 @@ struct Frame::Impl {
   Packet* last_packet() {
     if (packet_count == started_packets) return nullptr;
     Packet& last = *packets[packet_count - 1];
-    const uint32_t most = last.is_dots ? kPacketDots : kPacketPrimitives;
-    return last.is_clear || last.primitive_count >= most ? nullptr : &last;
+    return last.is_clear || last.primitive_count >= last.most ? nullptr : &last;
   }
 
-  Packet& open_packet() {
+  // One for primitives of a draw. A large one is for one draw alone.
+  Packet& open_packet(uint32_t draw_index, uint32_t most) {
     Packet* last = last_packet();
-    return last != nullptr && !last->is_dots ? *last : add_packet();
+    if (last != nullptr && !last->is_dots && last->most == most &&
+        (most == kPacketPrimitives || last->ranges.back().draw == draw_index)) {
+      return *last;
+    }
+    Packet& packet = add_packet();
+    packet.most = most;
+    return packet;
   }
   // One for dots of a draw.
   Packet& open_dots(uint32_t draw_index) {
@@ -75,6 +82,7 @@ struct Frame::Impl {
     }
     Packet& packet = add_packet();
     packet.is_dots = true;
+    packet.most = kPacketDots;
     return packet;
   }
 
@@ -126,11 +134,18 @@ struct Frame::Impl {
   }
 
   void add_primitives(uint32_t draw_index, uint32_t first, uint32_t count, bool dots) {
-    const uint32_t end = first + count, most = dots ? kPacketDots : kPacketPrimitives;
+    const uint32_t end = first + count;
+    const uint32_t most =
+        draws[draw_index].state->draws_strokes ? packet_strokes(count) : kPacketPrimitives;
     while (first < end) {
-      Packet& packet = dots ? open_dots(draw_index) : open_packet();
-      const uint32_t part = std::min(end - first, most - packet.primitive_count);
-      if (!packet.ranges.empty() && packet.ranges.back().draw == draw_index) {
+      Packet& packet = dots ? open_dots(draw_index) : open_packet(draw_index, most);
+      uint32_t part = std::min(end - first, packet.most - packet.primitive_count);
+      const bool goes_on = !packet.ranges.empty() && packet.ranges.back().draw == draw_index;
+      // The front phase takes so many at once.
+      const uint32_t in_range =
+          goes_on ? packet.ranges.back().primitive_count % kPacketPrimitives : 0;
+      if (!dots) part = std::min(part, kPacketPrimitives - in_range);
+      if (goes_on && (dots || in_range != 0)) {
         packet.ranges.back().primitive_count += part;
       } else {
         constexpr size_t kAhead = 16;

@@ -23,6 +23,7 @@
 #include "pipeline/raster/tile.h"
 #include "pipeline/setup/primitive.h"
 #include "pipeline/setup/small.h"
+#include "pipeline/setup/stroke.h"
 #include "pipeline/surface.h"
 
 namespace clearpipe::pipeline {
@@ -42,21 +43,25 @@ struct alignas(128) Packet {
   std::vector<PacketRange> ranges;
   uint32_t primitive_count = 0;
   bool is_clear = false;
-  bool is_dots = false;  // all of its ranges are of dots (dots.h), with one state
+  uint32_t most = kPacketPrimitives;  // that are added; no range has more than kPacketPrimitives,
+  bool is_dots = false;  // if not all of its ranges are of dots (dots.h), with one state
   ClearCommand clear;
 
   // Filled by the front phase.
   std::span<const PrimitiveRecord> primitives;
   std::span<const SmallPrimitive> small;
+  std::span<const StrokeRecord> strokes;
   std::span<const float* const> records;  // by range: its vertex records
   Bins bins;
 
   void reset() {
     ranges.clear();
     primitive_count = 0;
+    most = kPacketPrimitives;
     is_clear = is_dots = false;
     primitives = {};
     small = {};
+    strokes = {};
   }
 };
 

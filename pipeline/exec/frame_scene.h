@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/exec/frame.h"
+#include "pipeline/raster/tile.h"
 
 namespace clearpipe::pipeline {
 
@@ -56,5 +57,35 @@ struct Scene {
     return value;
   }
 };
+
+// An array of so many floats for each vertex, from one of them on.
+inline AttributeSource floats(const std::vector<float>& values, size_t first, uint8_t size) {
+  AttributeSource source;
+  source.is_array = true;
+  source.size = size;
+  source.stride = size * uint32_t{sizeof(float)};
+  source.pointer = reinterpret_cast<const std::byte*>(values.data() + first * size);
+  return source;
+}
+
+// What a finished scene has in its surface, row by row.
+struct Planes {
+  std::vector<uint32_t> colour, depth;
+  bool operator==(const Planes&) const = default;
+};
+
+inline Planes planes_of(const Scene& scene) {
+  Planes planes{std::vector<uint32_t>(kWidth * kHeight), std::vector<uint32_t>(kWidth * kHeight)};
+  const DepthStencilBuffer& depths = *scene.target.depth_stencil;
+  for (int y = 0; y < kHeight; ++y) {
+    read_pixels(*scene.target.colour, 0, y, kWidth, planes.colour.data() + y * kWidth);
+    for (int x = 0; x < kWidth; ++x) {
+      const size_t place = place_in_tiles(kWidth, x, y), tile = place / kTilePixels;
+      planes.depth[size_t(y) * kWidth + size_t(x)] =
+          depths.uniform->is_uniform(tile) ? depths.uniform->value[tile] : depths.values[place];
+    }
+  }
+  return planes;
+}
 
 }  // namespace clearpipe::pipeline

@@ -98,17 +98,23 @@ class FrontWorker {
     const std::vector<PacketRange>& ranges = packet.ranges;
     primitives_.start(0);
     small_.start(packet.primitive_count);
+    strokes_.start(draws[ranges[0].draw].state->draws_strokes ? packet.primitive_count : 0);
     range_records_.start(ranges.size());
     for (size_t first = 0; first < ranges.size();) {
       const DrawRecord& draw = draws[ranges[first].draw];
       size_t end = first + 1;
-      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw])) ++end;
+      uint32_t count = ranges[first].primitive_count;
+      while (end < ranges.size() && share_job(draw, draws[ranges[end].draw]) &&
+             count + ranges[end].primitive_count <= kPacketPrimitives) {
+        count += ranges[end++].primitive_count;
+      }
       run_ranges(draws, {ranges.data() + first, ranges.data() + end}, packet);
       first = end;
     }
     packet.bins.close(arena_);
     packet.primitives = primitives_.finish();
     packet.small = small_.finish();
+    packet.strokes = strokes_.finish();
     packet.records = range_records_.finish();
   }
 
@@ -116,6 +122,7 @@ class FrontWorker {
     arena_.reset();
     primitives_.reset();
     small_.reset();
+    strokes_.reset();
     range_records_.reset();
   }
 
@@ -219,7 +226,9 @@ class FrontWorker {
       const auto kind = static_cast<PrimitiveKind>(corners - 1);
       const bool in_lanes = draws_small_ && !large_points;
       if (in_lanes) {
-        setup_lanes(kind, draw.state->setup, lane_job(records_, lanes_, first, count));
+        LaneJob job = lane_job(records_, lanes_, first, count);
+        job.corners_alone = draw.state->draws_strokes;
+        setup_lanes(kind, draw.state->setup, job);
       }
       for (; r < end; first += ranges[r++].primitive_count) {
         const DrawState& state = *draws[ranges[r].draw].state;
@@ -290,12 +299,23 @@ class FrontWorker {
   void emit_line(const DrawState& draw, uint32_t draw_index, bool x_major, uint32_t i,
                  Packet& packet) {
     const ptrdiff_t stride = draw.clip.layout.stride;
+    const float* const v0 = records_ + lanes_.corner[0][i] * stride;
+    const float* const v1 = records_ + lanes_.corner[1][i] * stride;
     SnappedPoint corners[4];
     for (int k = 0; k < 4; ++k) corners[k] = {lanes_.snapped_x[k][i], lanes_.snapped_y[k][i]};
+    if (draw.draws_strokes) {
+      StrokeRecord& stroke = strokes_.emplace_back();
+      stroke.draw = draw_index;
+      if (setup_stroke(draw.setup, v0, v1, x_major, corners, stroke)) {
+        packet.bins.add(stroke, kStrokeEntry + static_cast<uint32_t>(strokes_.size() - 1));
+      } else {
+        strokes_.pop_back();
+      }
+      return;
+    }
     PrimitiveRecord record;
     record.draw = draw_index;
-    if (setup_snapped_line(draw.setup, records_ + lanes_.corner[0][i] * stride,
-                           records_ + lanes_.corner[1][i] * stride, x_major, corners, record)) {
+    if (setup_snapped_line(draw.setup, v0, v1, x_major, corners, record)) {
       add_large_or_small(record, i, packet);
     }
   }
@@ -352,6 +372,7 @@ class FrontWorker {
   // The lists of the packet at hand.
   ArenaLists<PrimitiveRecord> primitives_;
   ArenaLists<SmallPrimitive> small_;
+  ArenaLists<StrokeRecord> strokes_;
   ArenaLists<const float*> range_records_;
   // What is small in the draw at hand becomes a small primitive; what is narrow stays so.
   bool draws_small_ = false, draws_narrow_ = false;

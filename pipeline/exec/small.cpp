@@ -56,7 +56,7 @@ size_t add(std::byte* memory, std::byte* other_memory, const DrawList& draws, co
     const SmallPrimitive& primitive = primitives[entries[taken] & ~kSmallEntry];
     // If that entry's is no small primitive, the address is of nothing, which is no harm.
     const size_t ahead = std::min(taken + 4, entries.size() - 1);
-    hwy::Prefetch(primitives + (entries[ahead] & ~kSmallEntry));
+    hwy::Prefetch(primitives + (entries[ahead] & ~(kSmallEntry | kStrokeEntry)));
     if (primitive.range != range) {
       range = primitive.range;
       const DrawState& next = *draws[packet.ranges[range].draw].state;

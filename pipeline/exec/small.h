@@ -21,6 +21,8 @@ struct Packet;
 
 // Set in the entries of bins that number a small primitive.
 inline constexpr uint32_t kSmallEntry = 0x80000000u;
+// And in those that number a stroke.
+inline constexpr uint32_t kStrokeEntry = 0x40000000u;
 
 // Whether what a draw makes small is made a small primitive.
 bool draws_small(const DrawRecord& draw);

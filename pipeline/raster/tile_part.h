@@ -15,7 +15,9 @@ struct TilePart {
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-inline TilePart part_of_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
+// Of anything that has a box.
+template <class Boxed>
+TilePart part_of_tile(const Boxed& primitive, int tile_x, int tile_y) {
   return {std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
           std::min(primitive.x1 - tile_x, kTileWidth),
           std::min(primitive.y1 - tile_y, kTileHeight)};

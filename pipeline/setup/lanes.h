@@ -51,6 +51,7 @@ struct LaneJob {
   const float* records = nullptr;  // vertex records in state.layout
   const int32_t* corner[3] = {};
   size_t count = 0;
+  bool corners_alone = false;  // of lines: none is settled as a small primitive
   // Out.
   int32_t* fate = nullptr;
   int32_t *x = nullptr, *y = nullptr, *more = nullptr;

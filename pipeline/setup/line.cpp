@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "pipeline/setup/primitive.h"
+#include "pipeline/setup/stroke.h"
 
 namespace clearpipe::pipeline {
 
@@ -136,7 +136,7 @@ bool setup_line(const SetupState& state, const float* v0, const float* v1, Primi
     end = move_to_column_border(end, e, slope, end_drawn ? direction : -direction);
   }
 
-  const int width = static_cast<int>(std::floor(supported_width(state.raster.line_width) + 0.5f));
+  const int width = stroke_width(state.raster);
   const int32_t half = width * kSubpixelOne / 2;
   const int32_t start_major = snap(start.major - 0.5f), start_minor = snap(start.minor - 0.5f);
   const int32_t end_major = snap(end.major - 0.5f), end_minor = snap(end.minor - 0.5f);

@@ -9,9 +9,8 @@
 
 #include <hwy/highway.h>
 
-#include <cmath>
-
 #include "pipeline/setup/lanes-inl.h"
+#include "pipeline/setup/stroke.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::setup::HWY_NAMESPACE {
@@ -85,7 +84,7 @@ HWY_INLINE void setup_line_lanes(const SetupState& state, const LaneJob& job, si
   end = move_to_border(end, e, slope, select(end_drawn, direction, back),
                        hn::Xor(end_covered, end_drawn));
 
-  const int width = static_cast<int>(std::floor(supported_width(state.raster.line_width) + 0.5f));
+  const int width = stroke_width(state.raster);
   const VecI half_width = hn::Set(d, width * kSubpixelOne / 2);
   MaskI general = v.crosses;
   const VecI start_major = snap_lanes(hn::Sub(start.major, half), general);
@@ -106,6 +105,11 @@ HWY_INLINE void setup_line_lanes(const SetupState& state, const LaneJob& job, si
   const MaskI nothing = hn::Or(v.outside, hn::AndNot(v.crosses, hn::RebindMask(d, point)));
   const VecI large =
       hn::IfThenElse(across, fate(LaneFate::kSnapped), fate(LaneFate::kSnappedOther));
+  if (job.corners_alone) {
+    const VecI result = hn::IfThenElse(general, fate(LaneFate::kGeneral), large);
+    hn::StoreU(hn::IfThenZeroElse(nothing, result), d, job.fate + i);
+    return;
+  }
   settle(state, job, i, corner, nothing, general, large, [&](VecI) HWY_ATTR {
     return hn::IfThenElse(across, fate(LaneFate::kSmall), fate(LaneFate::kSmallOther));
   });

@@ -22,15 +22,6 @@ struct Basis {
   }
 };
 
-float window_y(const SetupState& state, const float* record) {
-  const float y = record[vertex_record::kWindow + 1];
-  return state.mirror_height > 0 ? static_cast<float>(state.mirror_height) - y : y;
-}
-
-float window_x(const float* record) { return record[vertex_record::kWindow]; }
-float window_z(const float* record) { return record[vertex_record::kWindow + 2]; }
-float inv_w(const float* record) { return record[vertex_record::kWindow + 3]; }
-
 Basis triangle_basis(const SetupState& state, const PrimitiveRecord& p) {
   const float x10 = window_x(p.vertex[1]) - window_x(p.vertex[0]);
   const float x20 = window_x(p.vertex[2]) - window_x(p.vertex[0]);

@@ -98,6 +98,15 @@ inline int32_t mirror(const SetupState& state, int32_t y) {
   return state.mirror_height > 0 ? (state.mirror_height - 1) * kSubpixelOne - y : y;
 }
 
+// Window coordinates of a vertex record, as planes have them, and 1/w.
+inline float window_x(const float* record) { return record[vertex_record::kWindow]; }
+inline float window_y(const SetupState& state, const float* record) {
+  const float y = record[vertex_record::kWindow + 1];
+  return state.mirror_height > 0 ? static_cast<float>(state.mirror_height) - y : y;
+}
+inline float window_z(const float* record) { return record[vertex_record::kWindow + 2]; }
+inline float inv_w(const float* record) { return record[vertex_record::kWindow + 3]; }
+
 // Sets the box of the pixels with a place inside the given bounds, up to reach_of(state.coverage)
 // away from their centre; false when it is empty.
 bool set_box(const SetupState& state, const SnappedPoint& low, const SnappedPoint& high,
