@@ -16,7 +16,7 @@
 #include "pipeline/fragment/compare-inl.h"
 #include "pipeline/fragment/early_tests-inl.h"
 #include "pipeline/fragment/fog-inl.h"
-#include "pipeline/fragment/fused_unit-inl.h"
+#include "pipeline/fragment/fused_textures-inl.h"
 #include "pipeline/fragment/group-inl.h"
 #include "pipeline/fragment/split_plane-inl.h"
 #include "pipeline/fragment/strips-inl.h"
@@ -27,91 +27,6 @@ namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET != HWY_SCALAR
-
-// The texture units of a program: all are sampled, then their environments follow one another
-// (3.7.12, 3.7.13). Environments that are not simple go through the chain's, on a batch of a few
-// rows.
-class FusedTextures {
- public:
-  void start(const FragmentProgram& program, const PrimitivePlanes& planes, const Tile& tile,
-             const TilePlaces& places) {
-    p_ = &program;
-    count_ = 0;
-    simple_ = true;
-    for (int u = 0; u < kMaxTextureUnits; ++u) {
-      if ((program.inputs.texture_units >> u & 1) == 0) continue;
-      unit_[count_].start(program, planes, tile, places, u);
-      number_[count_++] = u;
-      simple_ = simple_ && program.unit[u].simple_environment;
-    }
-    if (simple_) return;
-    uses_primary_ = false;
-    for (int i = 0; i < count_; ++i) {
-      const UnitProgram& unit = program.unit[number_[i]];
-      uses_primary_ = uses_primary_ || reads_primary_colour(unit.combiner);
-      environment_[i] = bind_environment(unit.combiner, unit.constant, batch_);
-    }
-  }
-
-  bool are_simple() const { return simple_; }
-  bool have_pixels() const {
-    return std::all_of(unit_, unit_ + count_, [](const FusedUnit& u) { return u.has_pixels(); });
-  }
-
-  // Samples halves of a row; w is that of its pixels.
-  HWY_INLINE void sample(int row, Halves halves, const float* w) {
-    for (int i = 0; i < count_; ++i) unit_[i].sample(row, halves, w, batch_);
-  }
-
-  // As fragment::gives_texels(), of the only unit.
-  bool gives_texels(const PrimitivePlanes& planes, uint32_t& texel_bits) const {
-    return count_ == 1 && simple_ && unit_[0].has_pixels() &&
-           fragment::HWY_NAMESPACE::gives_texels(p_->unit[number_[0]].combiner, planes, texel_bits);
-  }
-  HWY_INLINE Pair<VecU> texels(int group) const { return unit_[0].pixels(group); }
-
-  // The simple environments of a group that is sampled.
-  HWY_INLINE void apply(int group, Colour16& colour) const {
-    for (int i = 0; i < count_; ++i) {
-      apply_simple_environment(p_->unit[number_[i]].combiner, unit_[i].colour(group), colour);
-    }
-  }
-
-  // Environments of any kind, of a strip of rows: first a sampled group of each row after another,
-  // with its primary colours, goes to a place in the strip.
-  HWY_INLINE void put(int place, int group, const Colour16& primary) {
-    const Tag16 d;
-    const auto put_colour = [&](const Colour16& colour, int16_t(*to)[kBatchSize]) HWY_ATTR {
-      for (int c = 0; c < 4; ++c) hn::Store(colour.channel[c], d, to[c] + place * kGroup);
-    };
-    if (uses_primary_) put_colour(primary, batch_.primary);
-    put_colour(primary, batch_.previous);
-    for (int i = 0; i < count_; ++i) put_colour(unit_[i].colour(group), batch_.texture[number_[i]]);
-  }
-  HWY_NOINLINE void combine(int first_place, int end_place) {
-    for (int i = 0; i < count_; ++i) {
-      run_environment(environment_[i], first_place * kGroup, end_place * kGroup, batch_.previous);
-    }
-  }
-  HWY_INLINE Colour16 result(int place) const {
-    const Tag16 d;
-    Colour16 colour;
-    for (int c = 0; c < 4; ++c) {
-      colour.channel[c] = hn::Load(d, batch_.previous[c] + place * kGroup);
-    }
-    return colour;
-  }
-
- private:
-  const FragmentProgram* p_;
-  int count_;
-  bool simple_;
-  bool uses_primary_;  // an environment takes it other than as what was there before
-  int number_[kMaxTextureUnits];
-  FusedUnit unit_[kMaxTextureUnits];
-  BoundEnvironment environment_[kMaxTextureUnits];
-  FragmentBatch batch_;
-};
 
 // All stages over a coverage: first the tests, where they may come first, then the colours of each
 // row, a group of pixels at a time.
@@ -137,7 +52,7 @@ class FusedLoop {
     }
     if (p_.colour_mask == 0 && !p_.alpha_test) return;
     if (!opaque_) writer_ = row_writer(p_);
-    const bool plain = !kTextured && !p_.alpha_test && p_.fog_mode == FogMode::kNone;
+    const bool plain = !kTextured && is_plain();
     if (plain && planes_.flat_colour) {
       shade_flat(left);
     } else if (plain && !planes_.perspective) {
@@ -233,8 +148,7 @@ class FusedLoop {
     if constexpr (kTextured) {
       textures_.start(p_, planes_, tile_, places);
       uint32_t texel_bits;
-      if (!p_.alpha_test && p_.fog_mode == FogMode::kNone &&
-          textures_.gives_texels(planes_, texel_bits)) {
+      if (is_plain() && textures_.gives_texels(planes_, texel_bits)) {
         shade_texels(coverage, texel_bits);
         return;
       }
@@ -243,9 +157,14 @@ class FusedLoop {
         return;
       }
     }
+    const bool plain = is_plain();
     for_each_row(coverage, [&](int row, uint64_t covered) HWY_ATTR {
       if constexpr (kTextured) sample_row(row, covered, w_);
-      shade_row(row, covered, w_, 0);
+      if (plain) {
+        shade_plain_row(row, covered);
+      } else {
+        shade_row(row, covered, w_, 0);
+      }
     });
   }
 
@@ -262,7 +181,7 @@ class FusedLoop {
         if (covered == 0) continue;
         sample_row(first + i, covered, w[i]);
         for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
-          const Pair<VecF> group_w = needs_w_ ? load_w(w[i], group) : Pair<VecF>{};
+          const Pair<VecF> group_w = w_of(first + i, group, w[i]);
           textures_.put(i * kRowGroups + group, group, primary_colour(first + i, group, group_w));
         });
         places |= groups_of(covered) << (i * kRowGroups);
@@ -271,7 +190,15 @@ class FusedLoop {
       textures_.combine(std::countr_zero(places), 32 - std::countl_zero(places));
       for (int i = 0; i < count; ++i) {
         const uint64_t covered = coverage.rows[first + i];
-        if (covered != 0) shade_row(first + i, covered, w[i], i * kRowGroups);
+        if (covered == 0) continue;
+        if (!is_plain()) {
+          shade_row(first + i, covered, w[i], i * kRowGroups);
+          continue;
+        }
+        for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+          write_plain(textures_.result(i * kRowGroups + group), first + i, group, covered);
+        });
+        if (!opaque_ && p_.colour_mask != 0) write_row(first + i, covered);
       }
     }
   }
@@ -346,10 +273,16 @@ class FusedLoop {
     }
     textures_.sample(row, halves_of(covered), row_w);
   }
-  static HWY_INLINE Pair<VecF> load_w(const float* row_w, int group) {
+  // w of a group, if it is needed: of a row that is sampled it is known.
+  HWY_INLINE Pair<VecF> w_of(int row, int group, const float* row_w) const {
+    if (!needs_w_) return Pair<VecF>{};
+    if constexpr (!kTextured) return reciprocal(at(inv_w_, row, group));
     const TagF d;
     return {hn::Load(d, row_w + group * kGroup), hn::Load(d, row_w + group * kGroup + kLanes)};
   }
+
+  // Nothing comes after the environments.
+  bool is_plain() const { return !p_.alpha_test && p_.fog_mode == FogMode::kNone; }
 
   // A row that is sampled. `place` is that of its first group in a strip of combined rows.
   HWY_INLINE void shade_row(int row, uint64_t covered, const float* w, int place) {
@@ -361,12 +294,40 @@ class FusedLoop {
     if (!opaque_ && p_.colour_mask != 0) write_row(row, written);
   }
 
-  // Pixels that replace what is stored go there, others to the row's colours. Returns which pixels
-  // are written: the alpha test comes before those of depth and stencil (4.1.4).
+  // The same where no environment is combined and all is plain.
+  HWY_INLINE void shade_plain_row(int row, uint64_t covered) {
+    for_each_group(groups_of(covered), [&](int group) HWY_ATTR {
+      Colour16 colour = primary_colour(row, group, w_of(row, group, w_));
+      if constexpr (kTextured) textures_.apply(group, colour);
+      write_plain(colour, row, group, covered);
+    });
+    if (!opaque_ && p_.colour_mask != 0) write_row(row, covered);
+  }
+
+  HWY_INLINE void write_plain(const Colour16& colour, int row, int group, uint64_t covered) {
+    Vec16 bytes[4];
+    to_bytes(colour, bytes);
+    write_group(bytes, live_mask(group_bits(covered, group)), row, group);
+  }
+
+  static HWY_INLINE void to_bytes(const Colour16& colour, Vec16 bytes[4]) {
+    for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);
+  }
+
+  // Pixels that replace what is stored go there, others to the row's colours.
+  HWY_INLINE void write_group(const Vec16 bytes[4], const Pair<MaskI>& live, int row, int group) {
+    if (opaque_) {
+      store_live(pack_kept(bytes), live, pixels_of(row, group));
+    } else {
+      put_bytes(bytes, group);
+    }
+  }
+
+  // Returns which pixels are written: the alpha test comes before those of depth and stencil
+  // (4.1.4).
   HWY_INLINE uint64_t shade_group(int row, int group, uint64_t bits, const float* row_w,
                                   int place) {
-    Pair<VecF> w{};
-    if (needs_w_) w = kTextured ? load_w(row_w, group) : reciprocal(at(inv_w_, row, group));
+    const Pair<VecF> w = w_of(row, group, row_w);
     Colour16 colour;
     if constexpr (!kTextured) {
       colour = primary_colour(row, group, w);
@@ -378,7 +339,7 @@ class FusedLoop {
     }
     if (p_.fog_mode != FogMode::kNone) apply_fog(row, group, w, colour);
     Vec16 bytes[4];
-    for (int c = 0; c < 4; ++c) bytes[c] = to_unorm8(Tag16(), colour.channel[c]);
+    to_bytes(colour, bytes);
     Pair<MaskI> live = live_mask(bits);
     if (p_.alpha_test) {
       const Tag16 d16;
@@ -390,12 +351,8 @@ class FusedLoop {
         live = {test_half(row, column, live.lower), test_half(row, column + kLanes, live.upper)};
       }
     }
-    if (opaque_) {
-      store_live(pack_kept(bytes), live, pixels_of(row, group));
-      return bits;
-    }
-    put_bytes(bytes, group);
-    if (!p_.alpha_test) return bits;
+    write_group(bytes, live, row, group);
+    if (opaque_ || !p_.alpha_test) return bits;
     const TagI d;
     return bits_of_mask(d, live.lower) | bits_of_mask(d, live.upper) << kLanes;
   }
