@@ -78,10 +78,9 @@ bool hides_all(const ClearCommand& clear, const Target& target, const Tile& tile
 
 // Whether nothing of a primitive passes the depth test anywhere in the tile.
 bool is_hidden(const DrawState& draw, const PrimitiveRecord& primitive, const Tile& tile,
-               const TileDepth& depth) {
+               const TileDepth& depth, PrimitivePlanes& planes) {
   const DepthRule& rule = draw.outputs.depth;
   if (!depth.may_hide(rule)) return false;
-  PrimitivePlanes planes;
   make_depth_plane(draw.setup, primitive, planes);
   return depth.hides(
       rule.func, depth_range(planes.depth, planes.x_ref, planes.y_ref, primitive, tile, rule.one));
@@ -91,7 +90,7 @@ bool is_hidden(const DrawState& draw, const PrimitiveRecord& primitive, const Ti
 void shade_narrow(const DrawState& draw, const PrimitiveRecord& primitive, TilePlanes& planes,
                   TileDepth& depth, BackWorker& worker) {
   Tile& tile = worker.tiles.tiles[0];
-  if (is_hidden(draw, primitive, tile, depth)) return;
+  if (is_hidden(draw, primitive, tile, depth, worker.planes)) return;
   CoveredSquares squares;
   if (!cover_squares(primitive, tile.x, tile.y, squares)) return;
   if (counts_usage()) {
@@ -118,11 +117,12 @@ void shade_stroke(const DrawState& draw, const StrokeRecord& stroke, TilePlanes&
 
 // A primitive that is neither: its coverage, its planes, its pixels.
 void shade_primitive(const DrawState& draw, const PrimitiveRecord& primitive, const Target& target,
-                     TilePlanes& planes, TileDepth& depth, SampleTiles& tiles) {
+                     TilePlanes& planes, TileDepth& depth, BackWorker& worker) {
+  SampleTiles& tiles = worker.tiles;
   const Tile& tile = tiles.tiles[0];
   const int samples = planes.samples();
   const DepthRule& rule = draw.outputs.depth;
-  PrimitivePlanes attributes;
+  PrimitivePlanes& attributes = worker.planes;
   DepthRange range;
   if (rule.test && samples == 1) {
     make_depth_plane(draw.setup, primitive, attributes);
@@ -216,7 +216,7 @@ void shade_packet(const DrawList& draws, const Packet& packet, std::span<const u
         shade_narrow(draw, primitive, planes, depth, worker);
       } else {
         worker.small.flush();
-        shade_primitive(draw, primitive, target, planes, depth, worker.tiles);
+        shade_primitive(draw, primitive, target, planes, depth, worker);
       }
       ++at;
     } else {

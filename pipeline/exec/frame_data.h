@@ -122,6 +122,7 @@ class TileWork {
 struct BackWorker {
   SampleTiles tiles;
   SmallShader small;
+  PrimitivePlanes planes;  // of the primitive at hand: clearing them costs more than making some
 };
 
 // Runs the back phase of one tile.

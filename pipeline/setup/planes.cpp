@@ -132,6 +132,9 @@ void make_planes(const SetupState& state, const PrimitiveRecord& p, PrimitivePla
   const Basis& basis = corners.basis;
   const float* provoking = p.kind == PrimitiveKind::kLine ? v[1] : v[2];
   set_depth_plane(state, p, corners, out);
+  out.flat_colour = false;
+  out.region = {};
+  out.point_fade = 1;
   if (state.coverage == FragmentCoverage::kSmooth) {
     out.region = smooth_region(state, p);
   } else if (state.coverage == FragmentCoverage::kMultisamplePoint) {

@@ -81,6 +81,7 @@ bool setup_snapped_line(const SetupState& state, const float* v0, const float* v
 inline float supported_width(float width) { return width > 1 ? std::min(width, 255.0f) : 1.0f; }
 
 // The planes of the varyings in state.inputs, and of depth.
+// Those of others stay as they are.
 void make_planes(const SetupState& state, const PrimitiveRecord& primitive, PrimitivePlanes& out);
 
 // That of depth alone, and where planes count from.
