@@ -30,11 +30,13 @@ SmallBatch& batch_of(std::byte* memory) {
   return *std::launder(reinterpret_cast<SmallBatch*>(memory));
 }
 
-void begin(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile) {
+void begin(std::byte* memory, std::byte* other, std::byte* scratch, const FragmentProgram& program,
+           Tile& tile) {
   static_assert(std::is_trivially_destructible_v<SmallBatch>);
   static_assert(sizeof(SmallBatch) <= SmallShader::kBatchBytes);
   static_assert(sizeof(SmallScratch) <= SmallShader::kScratchBytes);
-  new (memory) SmallBatch(program, tile, *new (scratch) SmallScratch);
+  if (other != nullptr) batch_of(other).share();
+  new (memory) SmallBatch(program, tile, *new (scratch) SmallScratch, other == nullptr);
 }
 
 template <class Parts>
@@ -149,7 +151,7 @@ void SmallShader::find(const FragmentProgram& program, Tile& tile) {
   if (batch.program == &program) return;
   if (batch.program != nullptr) exec::resolve().flush(batch.memory);
   batch.program = &program;
-  exec::resolve().begin(batch.memory, scratch_, program, tile);
+  exec::resolve().begin(batch.memory, other_memory(), scratch_, program, tile);
 }
 
 void SmallShader::flush() {

@@ -32,7 +32,8 @@ bool draws_narrow(const DrawRecord& draw);
 
 // The kernels of one SIMD target. `memory` holds a batch.
 struct SmallKernels {
-  void (*begin)(std::byte* memory, std::byte* scratch, const FragmentProgram& program, Tile& tile);
+  void (*begin)(std::byte* memory, std::byte* other, std::byte* scratch,
+                const FragmentProgram& program, Tile& tile);
   // When the other batch, if there is one, has a pixel that is added, it is shaded first.
   size_t (*add)(std::byte* memory, std::byte* other, const DrawList& draws, const Packet& packet,
                 std::span<const uint32_t> entries, Tile& tile);

@@ -38,17 +38,10 @@ HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What batches need while something is done to them, so that one is enough for all.
-struct SmallScratch {
-  FragmentBatch batch;
-  // Of the fragments that a group leaves: their lanes, and what the depth test makes of the tile.
-  alignas(64) int32_t lane_of[kBatchSize + SmallGroup::kLanes];
-  alignas(64) int32_t depth_of[kBatchSize + SmallGroup::kLanes];
-};
-
 class SmallBatch {
  public:
-  SmallBatch(const FragmentProgram& program, Tile& tile, SmallScratch& scratch)
+  // `alone`: until share(), nobody asks which pixels it has.
+  SmallBatch(const FragmentProgram& program, Tile& tile, SmallScratch& scratch, bool alone)
       : program_(program),
         tile_(tile),
         depth_state_(depth_state(program)),
@@ -56,6 +49,7 @@ class SmallBatch {
                   !program.has_logic_op),
         in_order_(replaces_ && (program.early_depth || !program.uses_depth_stencil)),
         solid_(writes_primitive_colours(program)),
+        alone_(alone),
         lane_of_(scratch.lane_of),
         depth_of_(scratch.depth_of),
         batch_(scratch.batch) {
@@ -90,18 +84,22 @@ class SmallBatch {
       has_lane = true;
     };
     for (const SmallCoverage& coverage : squares) {
-      const Parts parts(coverage);
-      before(parts);
       const int count = std::popcount(coverage.mask);
       pixels_seen_ += count;
       ++squares_seen_;
       if (in_squares_) {
         if (squares_.is_full()) end_group();
         take_lane();
-        pending_.note_any(parts);
+        if (!alone_) {
+          const Parts parts(coverage);
+          before(parts);
+          pending_.note_any(parts);
+        }
         squares_.list(coverage, group_.last_lane());
         continue;
       }
+      const Parts parts(coverage);
+      before(parts);
       if (count_ + group_.pixels() + count > kRoom) {
         end_group();
         if (count_ + count > kRoom) flush();
@@ -117,6 +115,12 @@ class SmallBatch {
       take_lane();
       group_.list(coverage, count);
     }
+  }
+
+  // From here on has() is asked: what squares there are was not noted.
+  void share() {
+    if (alone_ && in_squares_) end_group();
+    alone_ = false;
   }
 
   // Whether the batch has one of the pixels.
@@ -168,7 +172,7 @@ class SmallBatch {
       squares_.shade(program_, planes, tile_);
       squares_.clear();
       group_.clear();
-      pending_.forget();
+      if (!alone_) pending_.forget();
       return;
     }
     for (int unit = 0; unit < kSmallUnits; ++unit) {
@@ -467,6 +471,7 @@ class SmallBatch {
   // not in a group.
   const bool in_order_;
   const bool solid_;  // the colours of primitives are those of their pixels
+  bool alone_;
   bool needs_lod_ = false;
   bool q_is_inv_w_[kSmallUnits] = {};  // of the group, whose w is 1 without perspective
   int count_ = 0, padded_ = 0;         // fragments

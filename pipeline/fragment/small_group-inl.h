@@ -370,6 +370,14 @@ class PendingPixels {
   alignas(64) uint64_t square_[kWholeVectors];
 };
 
+// What batches need while something is done to them, so that one is enough for all.
+struct SmallScratch {
+  FragmentBatch batch;
+  // Of the fragments that a group leaves: their lanes, and what the depth test makes of the tile.
+  alignas(64) int32_t lane_of[kBatchSize + SmallGroup::kLanes];
+  alignas(64) int32_t depth_of[kBatchSize + SmallGroup::kLanes];
+};
+
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
