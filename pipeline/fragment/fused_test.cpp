@@ -30,7 +30,10 @@ class Fused : public ::testing::TestWithParam<int> {
   ImageRef image() {
     // Powers of two and others, down to one texel.
     static constexpr int kSizes[] = {1, 2, 3, 5, 8, 16, 30, 64, 100};
-    int width = kSizes[below(9)], height = kSizes[below(9)];
+    return image(kSizes[below(9)], kSizes[below(9)]);
+  }
+
+  ImageRef image(int width, int height) {
     auto made = std::make_shared<Image>();
     for (bool last = false; !last;) {
       last = width == 1 && height == 1;
@@ -247,6 +250,41 @@ TEST_P(Fused, GivesTheBitsOfTheChainInStrips) {
     for (int row = coverage.first_row; row < coverage.last_row; ++row) {
       coverage.rows[row] = rectangle ? columns : columns & (noise() | noise());
     }
+    compare(*program, p, coverage);
+  }
+}
+
+// Bilinear textures that repeat, a little turned, magnified or minified at most twice, over whole
+// rows: their texels lie close together, but for those on both sides of an edge (whole_row-inl.h).
+TEST_P(Fused, GivesTheBitsOfTheChainInWholeRows) {
+  FragmentState s = simple_state();
+  for (TextureUnit& unit : s.unit) {
+    if (!unit.enabled) continue;
+    unit.image = image(1 << (3 + below(6)), 1 << below(9));
+    unit.sampler.wrap_s = unit.sampler.wrap_t = Wrap::kRepeat;
+    unit.sampler.min = unit.sampler.mag = Filter::kLinear;
+  }
+  const Program program = make_program(s, {true, true});
+  for (int round = 0; round < 3; ++round) {
+    PrimitivePlanes p = planes();
+    p.perspective = false;
+    for (int u = 0; u < kMaxTextureUnits; ++u) {
+      if (!s.unit[static_cast<size_t>(u)].enabled) continue;
+      const ImageLevel& level = s.unit[static_cast<size_t>(u)].image->levels[0];
+      const auto texels = [&](int size, float most) {
+        return number(-most, most) / static_cast<float>(size);
+      };
+      // Near the origin, or so far that fixed point ends.
+      const float reach = chance(4) ? 40000.0f : chance(3) ? 8300.0f : 300.0f;
+      p.texture[u][0] = {texels(level.width, reach), texels(level.width, chance(2) ? 1.0f : 2.3f),
+                         texels(level.width, 1)};
+      p.texture[u][1] = {texels(level.height, reach), texels(level.height, 0.1f),
+                         texels(level.height, 1)};
+      p.texture[u][3] = {1, 0, 0};
+    }
+    Coverage coverage{};
+    coverage.last_row = kTileHeight;
+    for (uint64_t& row : coverage.rows) row = chance(4) ? noise() : ~uint64_t{0};
     compare(*program, p, coverage);
   }
 }

@@ -21,6 +21,7 @@
 #include "pipeline/fragment/sample-inl.h"
 #include "pipeline/fragment/texcoord-inl.h"
 #include "pipeline/fragment/texenv-inl.h"
+#include "pipeline/fragment/whole_row-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace clearpipe::pipeline::fragment::HWY_NAMESPACE {
@@ -115,6 +116,13 @@ class FusedUnit {
     sampler_[1] = row_sampler(unit_->fused_mag);
     has_levels_ = unit_->sample.needs_lod && sampler_[0] != nullptr;
     if (has_levels_) levels_.reset();
+#if HWY_TARGET <= HWY_AVX3
+    const SampleState& sample = unit_->sample;
+    window_ = q_is_one_ && !has_levels_
+                  ? WholeRow::window(unit_->fused_min, sample.levels[sample.first_level],
+                                     planes_[0], planes_[1])
+                  : 0;
+#endif
     s_plane_.set(planes_[0], places);
     t_plane_.set(planes_[1], places);
     if (!q_is_one_ && !q_is_inv_w_) q_plane_.set(q, places);
@@ -122,6 +130,12 @@ class FusedUnit {
 
   // The texture's colours of halves of a row; w is that of the row's pixels.
   void sample(int row, Halves halves, const float* w, FragmentBatch& batch) {
+#if HWY_TARGET <= HWY_AVX3
+    if (window_ != 0 && halves == WholeRow::kHalves) {
+      const SampleLevel& level = unit_->sample.levels[unit_->sample.first_level];
+      if (WholeRow::sample(window_, level, s_plane_, t_plane_, row, pixels_)) return;
+    }
+#endif
     find_coordinates(row, halves, w);
     const uint32_t groups = groups_with(halves);
     if (sampler_[0] == nullptr) {
@@ -263,6 +277,7 @@ class FusedUnit {
   const Tile* tile_;
   int index_;
   bool q_is_one_, q_is_inv_w_, has_levels_;
+  int window_;  // of whole rows: WholeRow::window()
   SplitPlane s_plane_, t_plane_, q_plane_;
   RowSampler sampler_[2];  // of the minification and the magnification filter
   alignas(64) float s_[kTileWidth], t_[kTileWidth];

@@ -78,8 +78,27 @@ class SplitPlane {
   }
 
  private:
+  friend class SplitRow;
+
   alignas(64) float row_[kTileHeight];
   alignas(64) float column_[kTileWidth];
+};
+
+// One of its rows.
+class SplitRow {
+ public:
+  HWY_INLINE SplitRow(const SplitPlane& plane, int row)
+      : row_(plane.row_[row]), columns_(plane.column_) {}
+
+  HWY_INLINE float operator[](int column) const { return row_ + columns_[column]; }
+  HWY_INLINE hn::Vec<hn::ScalableTag<float>> at(int column) const {
+    const hn::ScalableTag<float> d;
+    return hn::Add(hn::Set(d, row_), hn::Load(d, columns_ + column));
+  }
+
+ private:
+  const float row_;
+  const float* const columns_;
 };
 
 }  // namespace clearpipe::pipeline::fragment::HWY_NAMESPACE
