@@ -43,8 +43,9 @@ struct alignas(128) Packet {
   std::vector<PacketRange> ranges;
   uint32_t primitive_count = 0;
   bool is_clear = false;
-  uint32_t most = kPacketPrimitives;  // that are added; no range has more than kPacketPrimitives,
-  bool is_dots = false;  // if not all of its ranges are of dots (dots.h), with one state
+  uint32_t most = kPacketPrimitives;  // as many primitives as it takes
+  // All of its ranges are of dots (dots.h), with one state. Others have at most kPacketPrimitives.
+  bool is_dots = false;
   ClearCommand clear;
 
   // Filled by the front phase.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "pipeline/fragment/small.h"
-#include "pipeline/fragment/usage.h"
 #include "pipeline/raster/stroke.h"
 #include "pipeline/raster/tile_part.h"
 #include "pipeline/simd.h"
@@ -219,7 +218,7 @@ class StrokePen {
   static HWY_INLINE void scatter(hn::Mask<TagI> live, VecI place, VecI values, uint32_t* plane) {
     const TagI d;
 #if HWY_TARGET <= HWY_AVX3
-    // Highway 1.0.3 scatters all lanes.
+    // Highway 1.0.3 scatters all lanes; one by one, 16 take 22 to 27 cycles instead of 17 (Zen 5).
     (void)d;
     _mm512_mask_i32scatter_epi32(plane, live.raw, place.raw, values.raw, 4);
 #else

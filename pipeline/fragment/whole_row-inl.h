@@ -1,8 +1,8 @@
 // Bilinear samples of a whole row of a tile at once, of a texture that repeats powers of two, where
 // the pixels of each vector find their texels close together: in two rows of texels that follow
-// each other, each no longer than a vector. All vectors go through each step side by side, and what
-// is to be known of them is asked once; row by row, and vector by vector, see sample_row-inl.h.
-// SPDX-License-Identifier: MIT
+// each other, each no longer than a vector or two. All vectors go through each step side by side,
+// and what is to be known of them is asked once; row by row, and vector by vector, see
+// sample_row-inl.h. SPDX-License-Identifier: MIT
 #if defined(CLEARPIPE_FRAGMENT_WHOLE_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CLEARPIPE_FRAGMENT_WHOLE_ROW_INL_H_
 #undef CLEARPIPE_FRAGMENT_WHOLE_ROW_INL_H_
@@ -71,7 +71,7 @@ class WholeRow {
       x0[v] = fixed(s[v * kLanes + least_s], scale_s);
       y0[v] = fixed(t[v * kLanes + least_t], scale_t);
       const int column = x0[v] >> 8 & (width - 1), row = y0[v] >> 8 & (height - 1);
-      far |= static_cast<uint32_t>(x0[v] - kNear) | static_cast<uint32_t>(y0[v] - kNear);
+      far |= (static_cast<uint32_t>(x0[v]) - kNear) | (static_cast<uint32_t>(y0[v]) - kNear);
       // The window ends where the level does.
       const int first_column = std::min(column, width - kColumns);
       x0[v] = (x0[v] & -256) - ((column - first_column) << 8);
@@ -116,8 +116,9 @@ class WholeRow {
           row[r][1] = lookup(left, right, second);
         }
         for (int r = 0; r < 2; ++r) {
-          for (int i = 0; i < 2; ++i)
+          for (int i = 0; i < 2; ++i) {
             texels[r][i] = hn::IfThenElse(lower, row[r][i], row[r + 1][i]);
+          }
         }
       }
       const Weight a = spread<false>(x[v]), b = spread<false>(y[v]);
@@ -136,7 +137,7 @@ class WholeRow {
   // as the coordinate is within kReach / 2 of 0.
   static constexpr float kRounding = 12582912.0f - 128.0f;
   static constexpr uint32_t kReach = 0x400000;
-  static constexpr int kNear = 0x4b000000 + 0x400000 - 0x200000;
+  static constexpr uint32_t kNear = 0x4b000000 + 0x400000 - kReach / 2;
 
   static HWY_INLINE VecI fixed(VecF v, float scale) {
     const TagF d;

@@ -1,3 +1,4 @@
+// What is counted of strokes: see stroke.h.
 // SPDX-License-Identifier: MIT
 #include "pipeline/raster/stroke.h"
 
