@@ -12,6 +12,7 @@
 #include "pipeline/exec/frame_data.h"
 #include "pipeline/fragment/small.h"
 #include "pipeline/setup/lanes.h"
+#include "pipeline/setup/pairs.h"
 
 namespace clearpipe::pipeline {
 
@@ -233,6 +234,9 @@ class FrontWorker {
       for (; r < end; first += ranges[r++].primitive_count) {
         const DrawState& state = *draws[ranges[r].draw].state;
         range_records_.push_back(records_);
+        if (in_lanes && kind == PrimitiveKind::kTriangle && merges_pairs(state.setup)) {
+          merge_pairs(state.setup, lane_job(records_, lanes_, first, ranges[r].primitive_count));
+        }
         for (uint32_t i = first; i < first + ranges[r].primitive_count; ++i) {
           const auto fate = in_lanes ? static_cast<LaneFate>(lanes_.fate[i]) : LaneFate::kGeneral;
           if (fate == LaneFate::kGeneral) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <random>
 #include <vector>
 
 #include "pipeline/exec/frame_scene.h"
@@ -205,6 +206,36 @@ TEST(ProgramTable, HoldsImagesUntilTheFrameIsDone) {
   EXPECT_EQ(image.use_count(), 3);
   table.reset();
   EXPECT_EQ(image.use_count(), 2);
+}
+
+// The halves of rectangles by themselves, in states that differ in what has no effect, and in one
+// draw, where they become one primitive (setup/pairs.h).
+TEST(SmallDraws, HalvesOfRectanglesMakeTheSamePixels) {
+  Scene apart, together;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> place(-1.05f, 1), unit(0, 1);
+  for (int i = 0; i < 400; ++i) {
+    const float x0 = place(random), y0 = place(random), z = place(random);
+    const float x1 = x0 + 0.3f * unit(random), y1 = y0 + 0.5f * unit(random);
+    const Vec4 colour{unit(random), unit(random), unit(random), unit(random)};
+    const bool blend = random() % 2 == 0, offset = random() % 4 == 0;
+    for (Scene* scene : {&apart, &together}) {
+      scene->fragment.depth_test = scene->fragment.depth_write = true;
+      scene->fragment.depth_func = CompareFunc::kLess;
+      scene->fragment.blend.enabled = blend;
+      scene->fragment.blend.src_rgb = BlendFactor::kSrcAlpha;
+      scene->fragment.blend.dst_rgb = BlendFactor::kOne;
+      scene->raster.offset_fill = offset;
+      scene->raster.offset_factor = scene->raster.offset_units = 3;
+    }
+    together.draw({x0, y0, z, x1, y0, z, x0, y1, z, x1, y1, z}, colour, Primitive::kTriangleStrip);
+    apart.draw({x0, y0, z, x1, y0, z, x0, y1, z}, colour);
+    apart.fragment.alpha_reference = 1 - apart.fragment.alpha_reference;
+    apart.draw({x0, y1, z, x1, y0, z, x1, y1, z}, colour);
+  }
+  apart.frame.finish();
+  together.frame.finish();
+  EXPECT_EQ(planes_of(apart), planes_of(together));
 }
 
 TEST(Surface, RectanglesReadAsTheirRows) {
