@@ -291,6 +291,11 @@ void TileWork::make(size_t number, std::span<Packet* const> packets) {
 
 void run_back(const DrawList& draws, std::span<Packet* const> packets, const TileWork& work,
               const Target& target, const TileGrid& grid, int tile_index, BackWorker& worker) {
+  // Clears and lists, both in the order of their packets, are merged.
+  const auto number = static_cast<size_t>(tile_index);
+  const std::span<const TileLists::Reference> lists = work.lists(number);
+  const std::span<const uint32_t> clears = work.clears(number);
+  if (lists.empty() && clears.empty()) return;
   for (Tile& tile : worker.tiles.tiles) {
     tile.x = tile_index % grid.columns * kTileWidth;
     tile.y = tile_index / grid.columns * kTileHeight;
@@ -298,11 +303,7 @@ void run_back(const DrawList& draws, std::span<Packet* const> packets, const Til
   }
   TilePlanes planes(target, worker.tiles, tile_index);
   TileDepth depth(planes.depth_stencil(0));
-  // Clears and lists, both in the order of their packets, merged; from the last clear on that hides
-  // what came before it.
-  const auto tile = static_cast<size_t>(tile_index);
-  const std::span<const TileLists::Reference> lists = work.lists(tile);
-  const std::span<const uint32_t> clears = work.clears(tile);
+  // From the last clear on that hides what came before it.
   size_t clear = 0, next = 0;
   for (size_t i = clears.size(); i-- > 0;) {
     if (!hides_all(packets[clears[i]]->clear, target, planes.tile())) continue;

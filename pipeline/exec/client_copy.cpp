@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "pipeline/exec/pieces.h"
 #include "pipeline/exec/vertex_stream.h"
-#include "pipeline/exec/workers.h"
 
 namespace clearpipe::pipeline {
 
@@ -33,15 +33,7 @@ void ClientCopies::run() {
   if (count * array_count_ <= kAlone) {
     for (size_t piece = 0; piece < count; ++piece) copy_piece(piece);
   } else {
-    pieces_.divide(count, static_cast<size_t>(worker_count()));
-    run_on_workers(&task, this);
-  }
-}
-
-void ClientCopies::task(void* context, int worker) {
-  auto& copies = *static_cast<ClientCopies*>(context);
-  for (size_t piece; copies.pieces_.take(static_cast<size_t>(worker), piece);) {
-    copies.copy_piece(piece);
+    run_pieces(count, [this](size_t piece) { copy_piece(piece); });
   }
 }
 

@@ -9,7 +9,6 @@
 
 #include "pipeline/command.h"
 #include "pipeline/exec/arena.h"
-#include "pipeline/exec/shares.h"
 
 namespace clearpipe::pipeline {
 
@@ -35,13 +34,11 @@ class ClientCopies {
     size_t from_stride, to_stride, bytes;  // of an element
   };
 
-  static void task(void* context, int worker);
   void copy_piece(size_t piece) const;
 
   std::array<Array, kAttributeCount> arrays_;
   size_t array_count_ = 0;
   size_t first_ = 0, elements_ = 0;
-  Shares pieces_;
 };
 
 }  // namespace clearpipe::pipeline

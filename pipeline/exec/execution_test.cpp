@@ -13,7 +13,7 @@
 
 #include "pipeline/exec/draw_list.h"
 #include "pipeline/exec/frame_scene.h"
-#include "pipeline/exec/workers.h"
+#include "pipeline/exec/pieces.h"
 
 namespace clearpipe::pipeline {
 namespace {
@@ -182,6 +182,20 @@ TEST(Workers, DoWhatIsStarted) {
     finish_on_workers(&Work::task, &first);
     EXPECT_EQ(first.done, 1000);
   }
+}
+
+// Of several threads at once, which take turns with the workers.
+TEST(Workers, DoEachPieceOnce) {
+  const auto run = [] {
+    for (size_t count = 0; count < 300; ++count) {
+      std::vector<std::atomic<int>> done(count);
+      run_pieces(count, [&done](size_t i) { ++done[i]; });
+      for (size_t i = 0; i < count; ++i) ASSERT_EQ(done[i], 1) << i << " of " << count;
+    }
+  };
+  std::thread other(run);
+  run();
+  other.join();
 }
 
 TEST(DrawList, KeepsItsDrawsInPlace) {

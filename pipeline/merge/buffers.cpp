@@ -1,12 +1,11 @@
 // Making colour and depth/stencil buffers, and reading what they hold: see surface.h.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <new>
 
-#include "pipeline/exec/workers.h"
+#include "pipeline/exec/pieces.h"
 #include "pipeline/image.h"
 #include "pipeline/image_memory.h"
 #include "pipeline/raster/tile.h"
@@ -144,36 +143,31 @@ struct Rectangle {
   int x, y, count, rows;
   std::byte* out;
   size_t row_bytes;
-  std::atomic<int> next_row;  // of tiles
 };
 
-// A row of tiles at a time, of which each lies in one stretch.
-void read_tile_rows(void* context, int) {
-  auto& r = *static_cast<Rectangle*>(context);
-  const int end = (r.y + r.rows + kTileHeight - 1) / kTileHeight;
-  for (int row = r.next_row++; row < end; row = r.next_row++) {
-    const int y0 = std::max(row * kTileHeight, r.y);
-    const int y1 = std::min((row + 1) * kTileHeight, r.y + r.rows);
-    for (int x = r.x; x < r.x + r.count;) {
-      const int part = std::min(kTileWidth - x % kTileWidth, r.x + r.count - x);
-      std::byte* to = r.out + static_cast<size_t>(y0 - r.y) * r.row_bytes +
-                      static_cast<size_t>(x - r.x) * sizeof(uint32_t);
-      const size_t place = place_in_tiles(r.buffer.width, x, y0);
-      const size_t tile = place / kTilePixels;
-      uint32_t same[kTileWidth];
-      const bool uniform = r.buffer.uniform->is_uniform(tile);
-      if (uniform) std::fill_n(same, part, r.buffer.uniform->value[tile]);
-      const uint32_t* from = uniform ? same : r.buffer.pixels.get() + place;
-      const size_t step = uniform ? 0 : kTileWidth;
-      for (int y = y0; y < y1; ++y, from += step, to += r.row_bytes) {
-        if (part == kTileWidth) {
-          std::memcpy(to, from, kTileWidth * sizeof(uint32_t));  // moves, not a call
-        } else {
-          std::memcpy(to, from, static_cast<size_t>(part) * sizeof(uint32_t));
-        }
+// A row of tiles, of which each lies in one stretch.
+void read_tile_row(const Rectangle& r, int row) {
+  const int y0 = std::max(row * kTileHeight, r.y);
+  const int y1 = std::min((row + 1) * kTileHeight, r.y + r.rows);
+  for (int x = r.x; x < r.x + r.count;) {
+    const int part = std::min(kTileWidth - x % kTileWidth, r.x + r.count - x);
+    std::byte* to = r.out + static_cast<size_t>(y0 - r.y) * r.row_bytes +
+                    static_cast<size_t>(x - r.x) * sizeof(uint32_t);
+    const size_t place = place_in_tiles(r.buffer.width, x, y0);
+    const size_t tile = place / kTilePixels;
+    uint32_t same[kTileWidth];
+    const bool uniform = r.buffer.uniform->is_uniform(tile);
+    if (uniform) std::fill_n(same, part, r.buffer.uniform->value[tile]);
+    const uint32_t* from = uniform ? same : r.buffer.pixels.get() + place;
+    const size_t step = uniform ? 0 : kTileWidth;
+    for (int y = y0; y < y1; ++y, from += step, to += r.row_bytes) {
+      if (part == kTileWidth) {
+        std::memcpy(to, from, kTileWidth * sizeof(uint32_t));  // moves, not a call
+      } else {
+        std::memcpy(to, from, static_cast<size_t>(part) * sizeof(uint32_t));
       }
-      x += part;
     }
+    x += part;
   }
 }
 
@@ -189,12 +183,13 @@ void read_rectangle(const ColourBuffer& buffer, int x, int y, int count, int row
   }
   // Below this, waking threads costs more than they save.
   constexpr int64_t kManyPixels = 256 * 1024;
-  Rectangle rectangle{buffer,         x, y, count, rows, static_cast<std::byte*>(out), row_bytes,
-                      y / kTileHeight};
+  const Rectangle rectangle{buffer, x, y, count, rows, static_cast<std::byte*>(out), row_bytes};
+  const int first = y / kTileHeight, end = (y + rows + kTileHeight - 1) / kTileHeight;
   if (int64_t{count} * rows < kManyPixels) {
-    read_tile_rows(&rectangle, 0);
+    for (int row = first; row < end; ++row) read_tile_row(rectangle, row);
   } else {
-    run_on_workers(&read_tile_rows, &rectangle);
+    run_pieces(static_cast<size_t>(end - first),
+               [&](size_t i) { read_tile_row(rectangle, first + static_cast<int>(i)); });
   }
 }
 

@@ -3,11 +3,10 @@
 #include "pipeline/unpack/unpack.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cstring>
 
-#include "pipeline/exec/workers.h"
+#include "pipeline/exec/pieces.h"
 #include "pipeline/simd.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -65,27 +64,10 @@ static UnpackFunction resolve() {
 
 namespace {
 
-struct Rows {
-  UnpackLayout layout;
-  const UnpackRectangle& rectangle;
-  int rows_at_once;
-  std::atomic<int> next_row{0};
-};
-
-void unpack_rows(const Rows& work, int begin, int end) {
-  const UnpackRectangle& r = work.rectangle;
+void unpack_rows(UnpackLayout layout, const UnpackRectangle& r, int begin, int end) {
   for (int y = begin; y < end; ++y) {
-    unpack_pixels(work.layout, static_cast<const uint8_t*>(r.from) + y * r.row_bytes,
+    unpack_pixels(layout, static_cast<const uint8_t*>(r.from) + y * r.row_bytes,
                   static_cast<size_t>(r.width), r.to + y * r.row_texels);
-  }
-}
-
-void take_rows(void* context, int) {
-  auto& work = *static_cast<Rows*>(context);
-  const int height = work.rectangle.height;
-  for (int y = work.next_row.fetch_add(work.rows_at_once); y < height;
-       y = work.next_row.fetch_add(work.rows_at_once)) {
-    unpack_rows(work, y, std::min(y + work.rows_at_once, height));
   }
 }
 
@@ -114,15 +96,18 @@ void unpack_pixels(UnpackLayout layout, const void* from, size_t count, uint32_t
 
 void unpack_rectangle(UnpackLayout layout, const UnpackRectangle& r) {
   if (r.width <= 0 || r.height <= 0) return;
-  // Below this, waking threads costs more than they save; a worker takes a few rows at a time.
+  // Below this, waking threads costs more than they save.
   constexpr int64_t kManyTexels = 256 * 1024, kTexelsAtOnce = 32 * 1024;
-  const int64_t texels = int64_t{r.width} * r.height;
-  unpack::Rows rows{layout, r, static_cast<int>(std::max<int64_t>(kTexelsAtOnce / r.width, 1))};
-  if (texels < kManyTexels) {
-    unpack::unpack_rows(rows, 0, r.height);
-  } else {
-    run_on_workers(&unpack::take_rows, &rows);
+  if (int64_t{r.width} * r.height < kManyTexels) {
+    unpack::unpack_rows(layout, r, 0, r.height);
+    return;
   }
+  const int at_once = static_cast<int>(std::max<int64_t>(kTexelsAtOnce / r.width, 1));
+  const int pieces = (r.height + at_once - 1) / at_once;
+  run_pieces(static_cast<size_t>(pieces), [&](size_t i) {
+    const int first = static_cast<int>(i) * at_once;
+    unpack::unpack_rows(layout, r, first, std::min(first + at_once, r.height));
+  });
 }
 
 }  // namespace clearpipe::pipeline
