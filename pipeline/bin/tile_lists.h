@@ -54,6 +54,10 @@ class TileLists {
     const uint32_t* const start = &start_[number - first_];
     return {references_.data() + start[0], references_.data() + start[1]};
   }
+  // The same, and those of all tiles behind it.
+  std::span<const Reference> from_tile(uint32_t number) const {
+    return {references_.data() + start_[number - first_], references_.data() + references_.size()};
+  }
 
  private:
   uint32_t first_ = 0;

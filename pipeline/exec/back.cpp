@@ -294,6 +294,7 @@ void run_back(const DrawList& draws, std::span<Packet* const> packets, const Til
   // Clears and lists, both in the order of their packets, are merged.
   const auto number = static_cast<size_t>(tile_index);
   const std::span<const TileLists::Reference> lists = work.lists(number);
+  const std::span<const TileLists::Reference> lists_ahead = work.lists_ahead(number);
   const std::span<const uint32_t> clears = work.clears(number);
   if (lists.empty() && clears.empty()) return;
   for (Tile& tile : worker.tiles.tiles) {
@@ -320,7 +321,7 @@ void run_back(const DrawList& draws, std::span<Packet* const> packets, const Til
       clear_planes(packets[clears[clear++]]->clear, target, planes, depth);
       continue;
     }
-    fetch_ahead(draws, packets, lists, next);
+    fetch_ahead(draws, packets, lists_ahead, next);
     const TileLists::Reference& list = lists[next];
     shade_packet(draws, *packets[list.packet], {list.entries, list.count}, target, planes, depth,
                  worker);

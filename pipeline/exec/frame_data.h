@@ -102,19 +102,24 @@ class TileWork {
   void make(size_t part, std::span<Packet* const> packets);
 
   std::span<const TileLists::Reference> lists(size_t tile) const {
-    const Part& part = parts_[((tile + 1) * parts_.size() - 1) / tiles_];
-    return part.lists.tile(static_cast<uint32_t>(tile));
+    return part_of(tile).lists.tile(static_cast<uint32_t>(tile));
+  }
+  // The same, and those that come next, of the tiles behind it.
+  std::span<const TileLists::Reference> lists_ahead(size_t tile) const {
+    return part_of(tile).lists.from_tile(static_cast<uint32_t>(tile));
   }
   // The packets that are clears.
-  std::span<const uint32_t> clears(size_t tile) const {
-    return parts_[((tile + 1) * parts_.size() - 1) / tiles_].clears;
-  }
+  std::span<const uint32_t> clears(size_t tile) const { return part_of(tile).clears; }
 
  private:
   struct Part {
     std::vector<uint32_t> clears;
     TileLists lists;
   };
+  const Part& part_of(size_t tile) const {
+    return parts_[((tile + 1) * parts_.size() - 1) / tiles_];
+  }
+
   size_t tiles_ = 0;
   std::vector<Part> parts_;
 };
