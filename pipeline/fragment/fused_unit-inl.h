@@ -118,10 +118,10 @@ class FusedUnit {
     if (has_levels_) levels_.reset();
 #if HWY_TARGET <= HWY_AVX3
     const SampleState& sample = unit_->sample;
-    window_ = q_is_one_ && !has_levels_
-                  ? WholeRow::window(unit_->fused_min, sample.levels[sample.first_level],
-                                     planes_[0], planes_[1])
-                  : 0;
+    whole_row_ = q_is_one_ && !has_levels_
+                     ? WholeRow::sampler(unit_->fused_min, sample.levels[sample.first_level],
+                                         planes_[0], planes_[1])
+                     : nullptr;
 #endif
     s_plane_.set(planes_[0], places);
     t_plane_.set(planes_[1], places);
@@ -131,9 +131,10 @@ class FusedUnit {
   // The texture's colours of halves of a row; w is that of the row's pixels.
   void sample(int row, Halves halves, const float* w, FragmentBatch& batch) {
 #if HWY_TARGET <= HWY_AVX3
-    if (window_ != 0 && halves == WholeRow::kHalves) {
+    if (whole_row_ != nullptr && halves == WholeRow::kHalves) {
       const SampleLevel& level = unit_->sample.levels[unit_->sample.first_level];
-      if (WholeRow::sample(window_, level, s_plane_, t_plane_, row, pixels_)) return;
+      halves = whole_row_(level, SplitRow(s_plane_, row), SplitRow(t_plane_, row), pixels_);
+      if (halves == 0) return;
     }
 #endif
     find_coordinates(row, halves, w);
@@ -277,7 +278,9 @@ class FusedUnit {
   const Tile* tile_;
   int index_;
   bool q_is_one_, q_is_inv_w_, has_levels_;
-  int window_;  // of whole rows: WholeRow::window()
+#if HWY_TARGET <= HWY_AVX3
+  WholeRow::Sampler whole_row_;  // null: texels are not close enough
+#endif
   SplitPlane s_plane_, t_plane_, q_plane_;
   RowSampler sampler_[2];  // of the minification and the magnification filter
   alignas(64) float s_[kTileWidth], t_[kTileWidth];
