@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Runs bench/scenes on an implementation and reads what it prints. For bench/compare and the scripts that draw pictures of it."""
 
+import atexit
 import dataclasses
+import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -32,10 +36,10 @@ class Scene:
 
 @dataclasses.dataclass
 class Implementation:
-    """One of Mesa's drivers by its name; otherwise clearpipe of a build folder."""
+    """One of Mesa's drivers by its name; otherwise clearpipe, by its manifest."""
 
     name: str
-    build: Path
+    manifest: Path | None
 
     @property
     def is_mesa(self):
@@ -53,20 +57,34 @@ class Implementation:
                 # llvmpipe's threads work beside the application's; with none, the application's does all.
                 environment["LP_NUM_THREADS"] = str(threads if threads > 1 else 0)
         else:
-            environment["__EGL_VENDOR_LIBRARY_FILENAMES"] = str(self.build / "icd" / "clearpipe_icd.json")
+            environment["__EGL_VENDOR_LIBRARY_FILENAMES"] = str(self.manifest)
             if threads:
                 environment["CLEARPIPE_THREADS"] = str(threads)
         return environment
 
 
+def install(manifest):
+    """Copies a build's library, as installing it does: where the linker put the pages of the file it wrote decides up to 30% of some
+    scenes, and no installation has these. Returns the manifest of the copy, which stays until the program ends."""
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder)
+    fields = json.loads(manifest.read_text())
+    library = Path(fields["ICD"]["library_path"])
+    fields["ICD"]["library_path"] = str(shutil.copy(library, folder / library.name))
+    copied = folder / manifest.name
+    copied.write_text(json.dumps(fields))
+    return copied
+
+
 def implementation(text, build):
     """NAME or NAME=BUILD-FOLDER."""
     name, _, folder = text.partition("=")
-    result = Implementation(name, Path(folder or build).resolve())
-    manifest = result.build / "icd" / "clearpipe_icd.json"
-    if not result.is_mesa and not manifest.exists():
+    if name in MESA_DRIVERS:
+        return Implementation(name, None)
+    manifest = Path(folder or build).resolve() / "icd" / "clearpipe_icd.json"
+    if not manifest.exists():
         sys.exit(f"there is no {manifest}: build first")
-    return result
+    return Implementation(name, install(manifest))
 
 
 def list_scenes(build):
