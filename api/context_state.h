@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "api/context.h"
@@ -103,6 +104,16 @@ struct Context {
     raised = wrong;
   }
 };
+
+// Sets a piece of state from which others are derived, unless it is that already: programs set much
+// of what they need before each draw.
+template <typename Value>
+void set_state(Context& context, Value& to, const std::type_identity_t<Value>& value,
+               uint32_t dirty) {
+  if (to == value) return;
+  to = value;
+  context.dirty |= dirty;
+}
 
 // Brings the frame's pipeline state up to date with the context's.
 void derive_vertex(Context& context);

@@ -238,66 +238,58 @@ void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void alpha_func(Context& c, GLenum func, float reference) {
-  c.state.pixel.alpha_func = func;
-  c.state.pixel.alpha_reference = clamp01(reference);
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.alpha_func, func, kDirtyFragment);
+  set_state(c, c.state.pixel.alpha_reference, clamp01(reference), kDirtyFragment);
 }
 
 void stencil_func(Context& c, GLenum func, GLint reference, GLuint mask) {
-  c.state.pixel.stencil_func = func;
-  c.state.pixel.stencil_reference = reference;
-  c.state.pixel.stencil_value_mask = mask;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.stencil_func, func, kDirtyFragment);
+  set_state(c, c.state.pixel.stencil_reference, reference, kDirtyFragment);
+  set_state(c, c.state.pixel.stencil_value_mask, mask, kDirtyFragment);
 }
 
 void stencil_op(Context& c, GLenum fail, GLenum depth_fail, GLenum pass) {
-  c.state.pixel.stencil_fail = fail;
-  c.state.pixel.stencil_depth_fail = depth_fail;
-  c.state.pixel.stencil_pass = pass;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.stencil_fail, fail, kDirtyFragment);
+  set_state(c, c.state.pixel.stencil_depth_fail, depth_fail, kDirtyFragment);
+  set_state(c, c.state.pixel.stencil_pass, pass, kDirtyFragment);
 }
 
 void depth_func(Context& c, GLenum func) {
-  c.state.pixel.depth_func = func;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.depth_func, func, kDirtyFragment);
 }
 
 void blend_func(Context& c, GLenum src, GLenum dst) { blend_func_separate(c, src, dst, src, dst); }
 
 void blend_func_separate(Context& c, GLenum src_rgb, GLenum dst_rgb, GLenum src_a, GLenum dst_a) {
   PixelState& p = c.state.pixel;
-  p.src_rgb = src_rgb;
-  p.dst_rgb = dst_rgb;
-  p.src_alpha = src_a;
-  p.dst_alpha = dst_a;
-  c.dirty |= kDirtyFragment;
+  set_state(c, p.src_rgb, src_rgb, kDirtyFragment);
+  set_state(c, p.dst_rgb, dst_rgb, kDirtyFragment);
+  set_state(c, p.src_alpha, src_a, kDirtyFragment);
+  set_state(c, p.dst_alpha, dst_a, kDirtyFragment);
 }
 
 void blend_equation(Context& c, GLenum rgb, GLenum alpha) {
-  c.state.pixel.equation_rgb = rgb;
-  c.state.pixel.equation_alpha = alpha;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.equation_rgb, rgb, kDirtyFragment);
+  set_state(c, c.state.pixel.equation_alpha, alpha, kDirtyFragment);
 }
 
 void logic_op(Context& c, GLenum opcode) {
-  c.state.pixel.logic_op = opcode;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.pixel.logic_op, opcode, kDirtyFragment);
 }
 
 void color_mask(Context& c, GLboolean r, GLboolean g, GLboolean b, GLboolean a) {
   const GLboolean values[4] = {r, g, b, a};
-  for (int i = 0; i < 4; ++i) c.state.framebuffer.colour_mask[i] = values[i] != 0;
-  c.dirty |= kDirtyFragment;
+  for (int i = 0; i < 4; ++i) {
+    set_state(c, c.state.framebuffer.colour_mask[i], values[i] != 0, kDirtyFragment);
+  }
 }
 
 void depth_mask(Context& c, GLboolean flag) {
-  c.state.framebuffer.depth_mask = flag != 0;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.framebuffer.depth_mask, flag != 0, kDirtyFragment);
 }
 
 void stencil_mask(Context& c, GLuint mask) {
-  c.state.framebuffer.stencil_mask = mask;
-  c.dirty |= kDirtyFragment;
+  set_state(c, c.state.framebuffer.stencil_mask, mask, kDirtyFragment);
 }
 
 void clear_color(Context& c, float r, float g, float b, float a) {

@@ -16,12 +16,12 @@ void bind_texture(Context& c, GLenum target, GLuint name) {
   TexturePtr& bound = target == GL_TEXTURE_2D             ? unit.texture
                       : target == GL_TEXTURE_EXTERNAL_OES ? unit.external_texture
                                                           : unit.cube_texture;
-  bound = name != 0                           ? c.share->textures.bind(name)
-          : target == GL_TEXTURE_2D           ? c.default_texture
-          : target == GL_TEXTURE_EXTERNAL_OES ? c.default_external_texture
-                                              : c.default_cube_texture;
-  bound->set_target(target);
-  c.dirty |= kDirtyTexture;
+  const TexturePtr& texture = name != 0                           ? c.share->textures.bind(name)
+                              : target == GL_TEXTURE_2D           ? c.default_texture
+                              : target == GL_TEXTURE_EXTERNAL_OES ? c.default_external_texture
+                                                                  : c.default_cube_texture;
+  texture->set_target(target);
+  set_state(c, bound, texture, kDirtyTexture);
 }
 
 void gen_textures(Context& c, GLsizei n, GLuint* names) {
@@ -83,50 +83,50 @@ void tex_env(Context& c, GLenum target, GLenum pname, const Params& p) {
     unit.coord_replace = p.boolean();
     return;
   }
-  c.dirty |= kDirtyUnits;
+  const auto set = [&c](auto& to, const auto& value) { set_state(c, to, value, kDirtyUnits); };
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
-    unit.lod_bias = p.number();
+    set(unit.lod_bias, p.number());
     return;
   }
   switch (pname) {
     case GL_TEXTURE_ENV_MODE:
-      unit.env_mode = p.enumerant();
+      set(unit.env_mode, p.enumerant());
       break;
     case GL_TEXTURE_ENV_COLOR:
-      unit.env_colour = {clamp01(p.colour(0)), clamp01(p.colour(1)), clamp01(p.colour(2)),
-                         clamp01(p.colour(3))};
+      set(unit.env_colour, pipeline::Vec4{clamp01(p.colour(0)), clamp01(p.colour(1)),
+                                          clamp01(p.colour(2)), clamp01(p.colour(3))});
       break;
     case GL_COMBINE_RGB:
-      unit.combine_rgb = p.enumerant();
+      set(unit.combine_rgb, p.enumerant());
       break;
     case GL_COMBINE_ALPHA:
-      unit.combine_alpha = p.enumerant();
+      set(unit.combine_alpha, p.enumerant());
       break;
     case GL_SRC0_RGB:
     case GL_SRC1_RGB:
     case GL_SRC2_RGB:
-      unit.src_rgb[pname - GL_SRC0_RGB] = p.enumerant();
+      set(unit.src_rgb[pname - GL_SRC0_RGB], p.enumerant());
       break;
     case GL_SRC0_ALPHA:
     case GL_SRC1_ALPHA:
     case GL_SRC2_ALPHA:
-      unit.src_alpha[pname - GL_SRC0_ALPHA] = p.enumerant();
+      set(unit.src_alpha[pname - GL_SRC0_ALPHA], p.enumerant());
       break;
     case GL_OPERAND0_RGB:
     case GL_OPERAND1_RGB:
     case GL_OPERAND2_RGB:
-      unit.operand_rgb[pname - GL_OPERAND0_RGB] = p.enumerant();
+      set(unit.operand_rgb[pname - GL_OPERAND0_RGB], p.enumerant());
       break;
     case GL_OPERAND0_ALPHA:
     case GL_OPERAND1_ALPHA:
     case GL_OPERAND2_ALPHA:
-      unit.operand_alpha[pname - GL_OPERAND0_ALPHA] = p.enumerant();
+      set(unit.operand_alpha[pname - GL_OPERAND0_ALPHA], p.enumerant());
       break;
     case GL_RGB_SCALE:
-      unit.rgb_scale = p.number();
+      set(unit.rgb_scale, p.number());
       break;
     default:
-      unit.alpha_scale = p.number();
+      set(unit.alpha_scale, p.number());
       break;
   }
 }

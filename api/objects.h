@@ -150,7 +150,9 @@ class NameTable {
     next_ = name + 1;
     return name;
   }
-  std::shared_ptr<Object> bind(GLuint name) {
+  // The object of a name, made if there is none. Like that of find(), the reference is good until
+  // the name is erased.
+  const std::shared_ptr<Object>& bind(GLuint name) {
     std::shared_ptr<Object>& object = objects_[name];
     if (!object) {
       object = std::make_shared<Object>(name);
@@ -158,9 +160,10 @@ class NameTable {
     return object;
   }
   // Null: the name has no object.
-  std::shared_ptr<Object> find(GLuint name) const {
+  const std::shared_ptr<Object>& find(GLuint name) const {
+    static const std::shared_ptr<Object> none;
     const auto found = objects_.find(name);
-    return found != objects_.end() ? found->second : nullptr;
+    return found != objects_.end() ? found->second : none;
   }
   // Whether the name is generated or has an object.
   bool contains(GLuint name) const { return objects_.count(name) != 0; }

@@ -60,7 +60,7 @@ Invalid specified_target(GLenum target) {
 
 Invalid bind_texture(const Context& c, GLenum target, GLuint name) {
   if (const Invalid wrong = texture_target(target)) return wrong;
-  const TexturePtr texture = c.share->textures.find(name);
+  const TexturePtr& texture = c.share->textures.find(name);
   return operation_unless(!texture || texture->target == target,
                           "{1} is a texture of another target (OES_texture_cube_map, 3.8.8)");
 }
