@@ -10,6 +10,8 @@
 #include "pipeline/exec/corners.h"
 #include "pipeline/exec/dots.h"
 #include "pipeline/exec/frame_data.h"
+#include "pipeline/exec/index_range.h"
+#include "pipeline/exec/triangle_corners.h"
 #include "pipeline/fragment/small.h"
 #include "pipeline/setup/lanes.h"
 #include "pipeline/setup/pairs.h"
@@ -178,6 +180,13 @@ class FrontWorker {
   // The same of a range whose draw has records of its own.
   void list_shared(const DrawRecord& draw, const PacketRange& range) {
     const uint32_t first = draw.first_shared;
+    if (draw.primitive == Primitive::kTriangles) {
+      const size_t before = size_t{3} * range.first_primitive * index_bytes(draw.index_type);
+      int32_t* const corner[3] = {lanes_.corner[0].data(), lanes_.corner[1].data(),
+                                  lanes_.corner[2].data()};
+      return triangle_corners(draw.index_type, draw.indices + before, range.primitive_count,
+                              first + draw.index_base, corner);
+    }
     for_each_corner(draw, range, [this, first](int k, uint32_t i, uint32_t element) {
       lanes_.corner[k][i] = static_cast<int32_t>(element - first);
     });

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <new>
 
+#include "pipeline/exec/index_range.h"
+
 namespace clearpipe::pipeline {
 
 namespace {
@@ -14,20 +16,6 @@ namespace {
 // own would cost more.
 constexpr uint32_t kSmallDraw = 32;
 constexpr uint32_t kSmallIndices = 2 * kSmallDraw;
-
-uint32_t index_bytes(IndexType type) {
-  switch (type) {
-    case IndexType::kNone:
-      return 0;
-    case IndexType::kUnsignedByte:
-      return 1;
-    case IndexType::kUnsignedShort:
-      return 2;
-    case IndexType::kUnsignedInt:
-      return 4;
-  }
-  return 0;
-}
 
 struct ElementRange {
   uint32_t first = 0, last = 0;  // inclusive

@@ -12,6 +12,7 @@
 
 #include "pipeline/exec/frame_scene.h"
 #include "pipeline/exec/index_range.h"
+#include "pipeline/exec/triangle_corners.h"
 
 namespace clearpipe::pipeline {
 namespace {
@@ -121,6 +122,35 @@ TEST(IndexRange, OfEveryTypeAndCount) {
       const IndexRange range = index_range(type, reinterpret_cast<const std::byte*>(values), count);
       EXPECT_EQ(range.least, *std::min_element(values, values + count));
       EXPECT_EQ(range.greatest, *std::max_element(values, values + count));
+    };
+    expect(IndexType::kUnsignedInt, wide.data());
+    expect(IndexType::kUnsignedShort, narrow.data());
+    expect(IndexType::kUnsignedByte, bytes.data() + 1);
+  }
+}
+
+TEST(TriangleCorners, OfEveryTypeAndCount) {
+  std::mt19937 random(4);
+  for (size_t triangles = 0; triangles < 100; ++triangles) {
+    std::vector<uint32_t> wide(3 * triangles);
+    for (uint32_t& index : wide) index = static_cast<uint32_t>(random());
+    const std::vector<uint16_t> narrow(wide.begin(), wide.end());
+    std::vector<uint8_t> bytes{0};
+    bytes.insert(bytes.end(), wide.begin(), wide.end());
+    const auto first = static_cast<uint32_t>(random());
+    const auto expect = [&](IndexType type, const auto* indices) {
+      constexpr int32_t kUntouched = 77;
+      std::vector<int32_t> corners[3];
+      for (auto& corner : corners) corner.resize(triangles + 1, kUntouched);
+      int32_t* const corner[3] = {corners[0].data(), corners[1].data(), corners[2].data()};
+      triangle_corners(type, reinterpret_cast<const std::byte*>(indices), triangles, first, corner);
+      for (size_t k = 0; k < 3; ++k) {
+        for (size_t i = 0; i < triangles; ++i) {
+          ASSERT_EQ(corner[k][i], static_cast<int32_t>(indices[3 * i + k] - first))
+              << k << " " << i;
+        }
+        EXPECT_EQ(corner[k][triangles], kUntouched);
+      }
     };
     expect(IndexType::kUnsignedInt, wide.data());
     expect(IndexType::kUnsignedShort, narrow.data());
