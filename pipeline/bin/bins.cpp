@@ -15,11 +15,11 @@ namespace {
 
 // What misses_tile() says of a primitive that is covered by centres, for one tile after another:
 // the greatest values that its edges have in a tile, from those of the tile before by an addition.
+template <int kEdges>
 class EdgeWalk {
  public:
-  EdgeWalk(const PrimitiveRecord& primitive, int tile_x, int tile_y)
-      : count_(primitive.edge_count) {
-    for (int i = 0; i < count_; ++i) {
+  EdgeWalk(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
+    for (int i = 0; i < kEdges; ++i) {
       const Edge& edge = primitive.edges[i];
       row_[i] = edge.at(kCentrePlace.x, kCentrePlace.y) + int64_t{edge.a} * tile_x +
                 int64_t{edge.b} * tile_y + int64_t{std::max(edge.a, 0)} * (kTileWidth - 1) +
@@ -32,21 +32,31 @@ class EdgeWalk {
 
   bool misses() const {
     int64_t any = 0;
-    for (int i = 0; i < count_; ++i) any |= most_[i];
+    for (int i = 0; i < kEdges; ++i) any |= most_[i];
     return any < 0;
   }
   void next_column() {
-    for (int i = 0; i < count_; ++i) most_[i] += right_[i];
+    for (int i = 0; i < kEdges; ++i) most_[i] += right_[i];
   }
   // The first column of the next row.
   void next_row() {
-    for (int i = 0; i < count_; ++i) most_[i] = row_[i] += up_[i];
+    for (int i = 0; i < kEdges; ++i) most_[i] = row_[i] += up_[i];
   }
 
  private:
-  int count_;
   int64_t most_[4], row_[4], right_[4], up_[4];
 };
+
+// Calls f(column, row) for each of the tiles that the edges do not miss.
+template <int kEdges, class F>
+void walk_tiles(const PrimitiveRecord& primitive, const Rect& tiles, const F& f) {
+  EdgeWalk<kEdges> walk(primitive, tiles.x0 * kTileWidth, tiles.y0 * kTileHeight);
+  for (int row = tiles.y0; row < tiles.y1; ++row, walk.next_row()) {
+    for (int column = tiles.x0; column < tiles.x1; ++column, walk.next_column()) {
+      if (!walk.misses()) f(column, row);
+    }
+  }
+}
 
 }  // namespace
 
@@ -78,11 +88,15 @@ void Bins::add(const PrimitiveRecord& primitive, uint32_t index) {
     }
     return;
   }
-  EdgeWalk walk(primitive, first_column * kTileWidth, first_row * kTileHeight);
-  for (int row = first_row; row <= last_row; ++row, walk.next_row()) {
-    for (int column = first_column; column <= last_column; ++column, walk.next_column()) {
-      if (!walk.misses()) note(column, row, index);
-    }
+  const Rect tiles{first_column, first_row, last_column + 1, last_row + 1};
+  const auto note_tile = [&](int column, int row) { note(column, row, index); };
+  switch (primitive.edge_count) {
+    case 3:
+      return walk_tiles<3>(primitive, tiles, note_tile);
+    case 4:
+      return walk_tiles<4>(primitive, tiles, note_tile);
+    default:  // a box
+      return walk_tiles<0>(primitive, tiles, note_tile);
   }
 }
 

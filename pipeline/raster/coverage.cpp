@@ -144,7 +144,9 @@ static bool cover_place(const PrimitiveRecord& primitive, int tile_x, int tile_y
 
 TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y,
                           const SamplePlace& place, TileEdges& edges) {
-  edges.count = 0;
+  // Without branches: which edges cross a tile cannot be guessed.
+  int count = 0;
+  int64_t most_of_all = 0;
   for (int i = 0; i < primitive.edge_count; ++i) {
     const Edge& edge = primitive.edges[i];
     const int64_t corner = edge.at(place.x, place.y) + static_cast<int64_t>(edge.a) * tile_x +
@@ -153,18 +155,16 @@ TileOverlap classify_tile(const PrimitiveRecord& primitive, int tile_x, int tile
     const int32_t up = edge.b * (kTileHeight - 1);
     const int64_t least = corner + std::min(across, 0) + std::min(up, 0);
     const int64_t most = corner + std::max(across, 0) + std::max(up, 0);
-    if (most < 0) {
-      return TileOverlap::kOutside;
-    }
-    if (least < 0) {
-      // least < 0 <= most: the corner is within the tile's steps of zero, so 32 bits hold it.
-      edges.a[edges.count] = edge.a;
-      edges.b[edges.count] = edge.b;
-      edges.c[edges.count] = static_cast<int32_t>(corner);
-      ++edges.count;
-    }
+    most_of_all = std::min(most_of_all, most);
+    // Where least < 0 <= most the corner is within the tile's steps of zero, so 32 bits hold it.
+    edges.a[count] = edge.a;
+    edges.b[count] = edge.b;
+    edges.c[count] = static_cast<int32_t>(corner);
+    count += least < 0 ? 1 : 0;
   }
-  return edges.count == 0 ? TileOverlap::kInside : TileOverlap::kPartial;
+  edges.count = count;
+  if (most_of_all < 0) return TileOverlap::kOutside;
+  return count == 0 ? TileOverlap::kInside : TileOverlap::kPartial;
 }
 
 bool misses_tile(const PrimitiveRecord& primitive, int tile_x, int tile_y) {
