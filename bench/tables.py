@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The tables of bench/compare, in Markdown."""
 
+import fnmatch
 import os
 import statistics
 
@@ -10,6 +11,16 @@ from measuring import geometric_mean
 # What the second thread is asked about.
 BUSY = 2  # more than this many others that want to run, and threads say nothing
 SCALED = ("fill_gouraud_depth", "texture_bilinear", "blend_16", "mesh_unlit", "mesh_eight_lights")
+
+# Kinds of work, by the names of their scenes; the first that fits.
+KINDS = {
+    "flat and gouraud areas, with and without depth": ("fill_*", "layers_*"),
+    "textures, blending, fragment tests": ("texture_*", "units_*", "blend*", "fog_*", "stencil", "logic_op", "tiles_*", "states_*"),
+    "meshes": ("mesh_*", "model_*", "gears*"),
+    "many draws, with changes of state": ("draws_*",),
+    "points and lines": ("points_*", "lines_*"),
+    "transfers, other surfaces, clear": ("*",),
+}
 
 
 def table(head, rows):
@@ -85,6 +96,22 @@ def summary(measurement):
             lines.append(f"- refused: {', '.join(measurement.refused)}")
         lines.append("")
     return "\n".join(lines).rstrip()
+
+
+def kinds(measurement):
+    """The mean and the extremes of each kind of work."""
+    first, *others = measurement.implementations
+    rows = []
+    for other in others:
+        left = measurement.ratios(other)
+        for kind, patterns in KINDS.items():
+            ratios = {name: left[name] for name in left if any(fnmatch.fnmatch(name, pattern) for pattern in patterns)}
+            left = {name: left[name] for name in left if name not in ratios}
+            if ratios:
+                ends = [f"{times(ratios[name])} ({name})" for name in (min(ratios, key=ratios.get), max(ratios, key=ratios.get))]
+                rows.append([kind, other.name, str(len(ratios)), times(geometric_mean(ratios.values())), *ends])
+    head = ["kind of work", f"{first.name} against", "scenes", "geometric mean", "least", "most"]
+    return "By kinds of work:\n\n" + table(head, rows) if rows else ""
 
 
 def new_states(measurement):
