@@ -188,7 +188,8 @@ class WholeRow {
     const VecU start = hn::MaskedLoad(hn::Not(before), d, from - width);
     return hn::BitCast(TagI(), hn::Or(end, start));
   }
-  // By an instruction that Highway 1.0.3 does not have.
+  // By an instruction that Highway 1.0.3 does not have: with two lookups and a choice units_four
+  // took 4.20 ms instead of 3.90, texture_bilinear 0.76 instead of 0.71 (one thread, Zen 5).
   static HWY_INLINE VecI lookup(VecI lower, VecI upper, VecI index) {
     return VecI{_mm512_permutex2var_epi32(lower.raw, index.raw, upper.raw)};
   }
